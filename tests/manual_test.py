@@ -7,7 +7,7 @@ import sys
 import unittest
 
 PROGRAM, FOLDER = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-COMMANDS = ["render", "info", "serve", "grab"]
+COMMANDS = ["render", "extract", "info", "serve", "grab"]
 
 
 def read(name):

@@ -10,3 +10,4 @@
 #include "aeolic/renderer.h"
 #include "aeolic/scene_description.h"
 #include "aeolic/surface_spec.h"
+#include "aeolic/topology.h"

@@ -13,6 +13,7 @@
 #include "aeolic/data.h"
 #include "aeolic/picture.h"
 #include "aeolic/scene_description.h"
+#include "aeolic/topology.h"
 
 namespace aeolic {
 
@@ -196,6 +197,11 @@ public:
     void setLic(const LicOptions& lic);
     void setShading(const ShadingOptions& shading);
     void setSize(int width, int height);
+
+    /// The critical points of the flow along the surface that is shown now, and the lines that leave its saddles, by
+    /// `shading.persistence`: what `shading.overlay` draws. The same on all ranks, and from any number of threads.
+    /// Throws InputError where the surface or its field is in pieces. Cost: O(triangles), parallel, each time.
+    FlowTopology topology();
 
     const SceneInfo& info() const;
     const FrameStats& lastFrame() const;

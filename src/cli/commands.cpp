@@ -23,6 +23,7 @@ void addFormerBenchCommand(CLI::App& program, const std::shared_ptr<Communicator
 void addCommands(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
 {
     addRenderCommand(program, ranks);
+    addExtractCommand(program, ranks);
     addInfoCommand(program, ranks);
     addServeCommand(program, ranks);
     addGrabCommand(program, ranks);

@@ -11,6 +11,9 @@ namespace aeolic {
 /// Adds `aeolic render`: draws a scene into PNG files.
 void addRenderCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
 
+/// Adds `aeolic extract`: writes what the flow has as points and lines.
+void addExtractCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
+
 /// Adds `aeolic info`: says what a data file holds.
 void addInfoCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
 

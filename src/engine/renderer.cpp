@@ -233,6 +233,15 @@ void Renderer::setShading(const ShadingOptions& shading)
     held().setGroup(std::move(changed), options::shading.key, "setShading");
 }
 
+FlowTopology Renderer::topology()
+{
+    State& state = held();
+    callTogether(
+        state.group.communicator(), "topology", [] { return std::string(); },
+        [&] { requireWhole(state.scene(), "topology"); });
+    return state.arena.execute([&] { return flowTopology(state.scene(), state.description.shading.persistence); });
+}
+
 void Renderer::setSize(int width, int height)
 {
     SceneDescription changed = held().description;

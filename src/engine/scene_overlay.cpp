@@ -1,18 +1,84 @@
 #include "engine/scene_overlay.h"
 
+#include <limits>
+
 #include "aeolic/error.h"
+#include "data/surface_range.h"
 #include "data/topology/point_flow.h"
 #include "data/topology/surface_topology.h"
 #include "render/overlay/topology_lines.h"
 
 namespace aeolic {
+namespace {
+
+SurfaceTopology topologyOf(const PointFlow& flow, double persistence)
+{
+    return surfaceTopology(flow.mesh, flow.vectors, {.persistence = persistence});
+}
+
+/// What a scene has at places of the surface.
+class Values {
+public:
+    Values(const Scene& scene, const PointFlow& flow) : scene_(scene), flow_(flow) {}
+
+    SurfaceValues at(const SurfacePlace& place) const
+    {
+        const glm::dvec3 position = positionWorld(flow_.mesh, place);
+        const auto& corners = flow_.mesh.triangles[place.triangle];
+        glm::dvec3 vector(0);
+        for (int i = 0; i < 3; ++i) vector += place.weight[i] * glm::dvec3(flow_.vectors[corners[std::size_t(i)]]);
+        return {
+            {position.x, position.y, position.z}, {vector.x, vector.y, vector.z}, scalarAt(place, position, vector)};
+    }
+
+private:
+    double scalarAt(const SurfacePlace& place, const glm::dvec3& position, const glm::dvec3& vector) const
+    {
+        const SurfaceMesh& mesh = flow_.mesh;
+        if (scene_.hasScalar && scene_.colorByFieldMagnitude) return glm::length(vector);
+        if (scene_.hasScalar && scene_.scalarField) return vectorAt(*scene_.scalarField, position).vector.x;
+        if (!mesh.cellScalars.empty()) return mesh.cellScalars[place.triangle];
+        if (mesh.pointScalars.empty()) return std::numeric_limits<double>::quiet_NaN();
+        double sum = 0;
+        for (int i = 0; i < 3; ++i)
+            sum += place.weight[i] * double(mesh.pointScalars[mesh.triangles[place.triangle][std::size_t(i)]]);
+        return sum;
+    }
+
+    const Scene& scene_;
+    const PointFlow& flow_;
+};
+
+}  // namespace
+
+void requireWhole(const Scene& scene, const char* option)
+{
+    if (scene.inPieces || scene.bricked())
+        throw InputError(option, "topology of a surface in pieces",
+                         "--bricks off, and room for the whole scene on each rank");
+}
 
 void requireOverlay(const ShadingOptions& shading, const Scene& scene)
 {
-    if (shading.overlay == Overlay::none) return;
-    if (scene.inPieces || scene.bricked())
-        throw InputError("--overlay", "topology of a surface in pieces",
-                         "--bricks off, and room for the whole scene on each rank");
+    if (shading.overlay != Overlay::none) requireWhole(scene, "--overlay");
+}
+
+FlowTopology flowTopology(const Scene& scene, double persistence)
+{
+    const PointFlow flow = pointFlow(scene);
+    const SurfaceTopology found = topologyOf(flow, persistence);
+    const Values values(scene, flow);
+    FlowTopology topology;
+    topology.scalar = scene.hasScalar ? scene.scalarName : "";
+    for (const CriticalPoint& point : found.points)
+        topology.points.push_back(
+            {values.at(point.place), CriticalPointKind(point.kind), point.attracts, point.index, point.strength});
+    for (const TopologyLine& line : found.lines) {
+        FlowLine out{line.saddle, line.other, line.direction > 0, line.lengthWorld, {}};
+        for (const SurfacePlace& place : line.places) out.places.push_back(values.at(place));
+        topology.lines.push_back(std::move(out));
+    }
+    return topology;
 }
 
 std::shared_ptr<const SurfaceOverlay> SceneOverlay::of(const ShadingOptions& shading, const Scene& scene)
@@ -20,8 +86,7 @@ std::shared_ptr<const SurfaceOverlay> SceneOverlay::of(const ShadingOptions& sha
     if (shading.overlay == Overlay::none) return nullptr;
     if (known_ && persistence_ == shading.persistence) return known_;
     const PointFlow flow = pointFlow(scene);
-    const SurfaceTopology topology = surfaceTopology(flow.mesh, flow.vectors, {.persistence = shading.persistence});
-    known_ = std::make_shared<SurfaceLines>(topologyLines(topology, flow.mesh.originWorld));
+    known_ = std::make_shared<SurfaceLines>(topologyLines(topologyOf(flow, shading.persistence), flow.mesh));
     persistence_ = shading.persistence;
     return known_;
 }

@@ -118,6 +118,59 @@ TEST_P(SceneOverlays, TheMarkOfAPoleIsWhereThePoleIs)
     EXPECT_LE(most - least, 14);
 }
 
+SceneDescription sphereAlongX()
+{
+    SceneDescription scene;
+    scene.surface.spec = "sphere:20000";
+    scene.field.spec = "uniform:9,9,9";
+    scene.shading.colorBy = "uniform:mag";
+    scene.run.backend = BackendChoice::cpu;
+    scene.output.width = scene.output.height = 32;
+    return scene;
+}
+
+TEST(FlowTopology, TellsWhatTheSurfaceHasAtThePoints)
+{
+    const FlowTopology topology = Renderer(sphereAlongX()).topology();
+    ASSERT_EQ(topology.points.size(), 2u);
+    EXPECT_TRUE(topology.lines.empty());
+    EXPECT_EQ(topology.scalar, "|uniform|");
+    for (const FlowPoint& point : topology.points) {
+        EXPECT_EQ(point.kind, CriticalPointKind::node);
+        EXPECT_EQ(point.index, 1);
+        EXPECT_NEAR(point.at.position[0], point.attracts ? 1 : -1, 1e-3);
+        EXPECT_NEAR(point.at.vector[0], point.at.scalar, 1e-6);
+        EXPECT_NEAR(point.at.vector[1], 0, 1e-6);
+    }
+}
+
+TEST(FlowTopology, TheSameOnAllRanksAndByThePersistenceAskedFor)
+{
+    SceneDescription scene = sphereAlongX();
+    scene.surface.spec = "torus:4000";
+    scene.field.spec = "abc:32,32,32";
+    scene.shading.colorBy = "";
+    scene.shading.persistence = 0;
+    const FlowTopology alone = Renderer(scene).topology();
+    ASSERT_FALSE(alone.lines.empty());
+    int sum = 0;
+    for (const FlowPoint& point : alone.points) sum += point.index;
+    EXPECT_EQ(sum, 0) << "the Euler characteristic";
+    for (const FlowLine& line : alone.lines) {
+        EXPECT_EQ(alone.points[line.saddle].index, -1);
+        EXPECT_EQ(line.places.front().position, alone.points[line.saddle].at.position);
+    }
+    runRanks(2, [&](Communicator& ranks) {
+        Renderer renderer(scene, std::shared_ptr<Communicator>(&ranks, [](Communicator*) {}));
+        const FlowTopology one = renderer.topology();
+        ASSERT_EQ(one.points.size(), alone.points.size());
+        ASSERT_EQ(one.lines.size(), alone.lines.size());
+        for (std::size_t i = 0; i < one.lines.size(); ++i) EXPECT_EQ(one.lines[i].length, alone.lines[i].length);
+    });
+    scene.shading.persistence = 1;
+    EXPECT_LT(Renderer(scene).topology().points.size(), alone.points.size());
+}
+
 TEST(SceneOverlay, ASurfaceInPiecesIsRefused)
 {
     SceneDescription scene;

@@ -52,8 +52,8 @@ void placeIn(const FlatTriangle& flat, CriticalPoint& out)
     const double parts[3] = {cross(v[1], v[2]), cross(v[2], v[0]), cross(v[0], v[1])};
     const double whole = parts[0] + parts[1] + parts[2];
     double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += out.weight[i] = whole == 0 ? 1 : std::max(parts[i] / whole, 0.0);
-    for (double& weight : out.weight) weight /= sum;
+    for (int i = 0; i < 3; ++i) sum += out.place.weight[i] = whole == 0 ? 1 : std::max(parts[i] / whole, 0.0);
+    out.place.weight /= sum;
 }
 
 void classify(const FlatTriangle& flat, CriticalPoint& out)
@@ -83,18 +83,15 @@ std::optional<CriticalPoint> criticalPointOf(const SurfaceMesh& mesh, const Surf
     }
     if (resting > 1) return {};
     CriticalPoint found;
-    found.triangle = t;
+    found.place.triangle = t;
     found.index = indexOf(fans, field, t);
     if (found.index == 0) return {};
     const FlatTriangle laid(mesh, fans, field, t);
     if (resting == 1)
-        found.weight[restingCorner] = 1;
+        found.place.weight[restingCorner] = 1;
     else
         placeIn(laid, found);
     classify(laid, found);
-    found.positionWorld = mesh.originWorld;
-    for (std::size_t i = 0; i < 3; ++i)
-        found.positionWorld += found.weight[i] * glm::dvec3(mesh.positions[mesh.triangles[t][i]]);
     return found;
 }
 

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "data/topology/surface_place.h"
 #include "data/topology/tangent_field.h"
 
 namespace aeolic {
@@ -13,10 +14,8 @@ enum class CriticalKind { node, focus, centre, saddle, multiple };
 
 /// A point of a surface where the flow along it vanishes.
 struct CriticalPoint {
-    glm::dvec3 positionWorld{0};
-    std::uint32_t triangle = 0;
-    double weight[3] = {};  ///< Of the triangle's corners, at least 0, with the sum 1.
-    int index = 0;          ///< Turns of the flow around it: 1 for a node, a focus, a centre, -1 for a saddle. Not 0.
+    SurfacePlace place;
+    int index = 0;  ///< Turns of the flow around it: 1 for a node, a focus, a centre, -1 for a saddle. Not 0.
     CriticalKind kind = CriticalKind::multiple;
     bool attracts = false;  ///< A node or focus that streamlines run into; else they come out of it.
     double strength = 0;    ///< The root of the determinant of the flow's derivative, as a length: 1 / time.

@@ -152,7 +152,7 @@ TEST(CriticalPoints, LinearFieldsHaveTheirKindAtTheirPlace)
         EXPECT_EQ(found[0].index, c.index);
         EXPECT_EQ(found[0].kind, c.kind);
         EXPECT_TRUE(c.kind == CriticalKind::centre || found[0].attracts == c.attracts);
-        EXPECT_LT(glm::length(glm::vec2(found[0].positionWorld) - zero), 1e-5f);
+        EXPECT_LT(glm::length(glm::vec2(positionWorld(mesh, found[0].place)) - zero), 1e-5f);
         EXPECT_NEAR(found[0].strength, std::sqrt(std::abs(glm::determinant(c.derivative))), 1e-4);
     }
 }
@@ -164,7 +164,7 @@ TEST(CriticalPoints, AWholeTurnAroundAPointOfTheMeshIsFoundOnce)
         const std::vector<CriticalPoint> found = criticalPointsOf(mesh, linear(mesh, derivative, {0, 0}));
         ASSERT_EQ(found.size(), 1u);
         EXPECT_EQ(found[0].index, glm::determinant(derivative) > 0 ? 1 : -1);
-        EXPECT_LT(glm::length(found[0].positionWorld), 1e-12);
+        EXPECT_LT(glm::length(positionWorld(mesh, found[0].place)), 1e-12);
     }
 }
 
@@ -180,7 +180,7 @@ TEST(CriticalPoints, MaskedPointsHaveNoneAroundThem)
 {
     const SurfaceMesh mesh = square(20, true);
     std::vector<glm::vec3> vectors = linear(mesh, rows(-1, 0, 0, -1), {0.03f, 0.02f});
-    const std::uint32_t triangle = criticalPointsOf(mesh, vectors)[0].triangle;
+    const std::uint32_t triangle = criticalPointsOf(mesh, vectors)[0].place.triangle;
     vectors[mesh.triangles[triangle][1]] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
     EXPECT_TRUE(criticalPointsOf(mesh, vectors).empty());
 }
@@ -192,8 +192,8 @@ TEST(CriticalPoints, OneTriangleAlone)
     mesh.triangles = {{0, 1, 2}};
     const std::vector<CriticalPoint> found = criticalPointsOf(mesh, linear(mesh, rows(-1, 0, 0, -2), {0.25f, 0.25f}));
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_NEAR(found[0].weight[0], 0.5, 1e-6);
-    EXPECT_NEAR(found[0].weight[1], 0.25, 1e-6);
+    EXPECT_NEAR(found[0].place.weight[0], 0.5, 1e-6);
+    EXPECT_NEAR(found[0].place.weight[1], 0.25, 1e-6);
 }
 
 TEST(CriticalPoints, SheetsThatMeetAtAnEdgeAreApart)

@@ -28,11 +28,11 @@ std::array<glm::dvec2, 2> eigenvectors(const glm::dmat2& m)
 /// A place in the plane of a triangle, a little beside another one; kept on the triangle's border where it would leave.
 SurfacePlace beside(const FlatTriangle& flat, const CriticalPoint& point, const glm::dvec2& direction)
 {
-    const glm::dvec3 from(point.weight[0], point.weight[1], point.weight[2]);
+    const glm::dvec3 from = point.place.weight;
     const double side = glm::length(flat.point[1] - flat.point[0]);
     glm::dvec3 weight = flat.weightsOf(flat.at(from) + kBesideSaddle * side * direction);
     weight = glm::max(weight, glm::dvec3(0));
-    return {point.triangle, weight / (weight.x + weight.y + weight.z)};
+    return {point.place.triangle, weight / (weight.x + weight.y + weight.z)};
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ std::vector<Separatrix> separatrices(const SurfaceMesh& mesh, const SurfaceFans&
     const SurfaceTracer tracer(mesh, fans, field);
     parallelFor(saddles.size(), [&](std::size_t s) {
         const CriticalPoint& saddle = points[saddles[s]];
-        const FlatTriangle flat(mesh, fans, field, saddle.triangle);
+        const FlatTriangle flat(mesh, fans, field, saddle.place.triangle);
         const std::array<glm::dvec2, 2> along = eigenvectors(flat.derivative());
         for (std::size_t k = 0; k < 4; ++k) {
             const int direction = k < 2 ? 1 : -1;

@@ -22,31 +22,35 @@ double sideOf(const SurfaceMesh& mesh, std::uint32_t triangle)
 
 /// The point of no saddle that a line runs into, or comes from.
 std::optional<std::size_t> pointAt(const SurfaceMesh& mesh, const std::vector<CriticalPoint>& points,
-                                   const SurfaceLine& line, const glm::dvec3& endWorld)
+                                   const SurfaceLine& line)
 {
     if (line.end != LineEnd::rest) return {};
+    const glm::dvec3 endWorld = positionWorld(mesh, line.places.back());
     std::optional<std::size_t> nearest;
     double least = kNearSides * sideOf(mesh, line.places.back().triangle);
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].kind == CriticalKind::saddle) continue;
-        const double distance = glm::length(points[i].positionWorld - endWorld);
+        const double distance = glm::length(positionWorld(mesh, points[i].place) - endWorld);
         if (distance <= least) nearest = i, least = distance;
     }
     return nearest;
 }
 
+void append(std::vector<SurfacePlace>& places, const std::vector<SurfacePlace>& more)
+{
+    places.insert(places.end(), more.begin(), more.end());
+}
+
 std::vector<TopologyLine> linesOf(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
                                   const std::vector<CriticalPoint>& points, double longestWorld)
 {
-    const SurfaceTracer tracer(mesh, fans, field);
     std::vector<TopologyLine> lines;
     for (const Separatrix& separatrix : separatrices(mesh, fans, field, points, longestWorld)) {
         TopologyLine line{separatrix.saddle, {}, separatrix.direction, separatrix.line.lengthWorld, {}};
-        line.pointsWorld.push_back(points[separatrix.saddle].positionWorld);
-        for (const SurfacePlace& place : separatrix.line.places)
-            line.pointsWorld.push_back(tracer.positionWorld(place));
-        line.other = pointAt(mesh, points, separatrix.line, line.pointsWorld.back());
-        if (line.other) line.pointsWorld.push_back(points[*line.other].positionWorld);
+        line.places.push_back(points[separatrix.saddle].place);
+        append(line.places, separatrix.line.places);
+        line.other = pointAt(mesh, points, separatrix.line);
+        if (line.other) line.places.push_back(points[*line.other].place);
         lines.push_back(std::move(line));
     }
     return lines;
@@ -94,17 +98,17 @@ private:
         });
         for (TopologyLine& line : all_.lines) {
             if (!isThere(line) || line.saddle == between.saddle || line.other != between.other) continue;
-            append(line, {between.pointsWorld.rbegin(), between.pointsWorld.rend()}, between.lengthWorld);
+            extend(line, {between.places.rbegin(), between.places.rend()}, between.lengthWorld);
             line.other.reset();
             if (beyond == all_.lines.end()) continue;
-            append(line, beyond->pointsWorld, beyond->lengthWorld);
+            extend(line, beyond->places, beyond->lengthWorld);
             line.other = beyond->other;
         }
         gone_[between.saddle] = gone_[*between.other] = true;
     }
-    static void append(TopologyLine& line, const std::vector<glm::dvec3>& more, double lengthWorld)
+    static void extend(TopologyLine& line, const std::vector<SurfacePlace>& more, double lengthWorld)
     {
-        line.pointsWorld.insert(line.pointsWorld.end(), more.begin(), more.end());
+        append(line.places, more);
         line.lengthWorld += lengthWorld;
     }
 

@@ -18,7 +18,7 @@ struct TopologyLine {
         other;          ///< The point that it ends at; nothing where it leaves the surface, or is closed.
     int direction = 1;  ///< 1: downstream, -1: upstream.
     double lengthWorld = 0;
-    std::vector<glm::dvec3> pointsWorld;  ///< From the saddle on.
+    std::vector<SurfacePlace> places;  ///< From the saddle on.
 };
 
 /// The skeleton of a surface's flow: its critical points, and the separatrices between them.

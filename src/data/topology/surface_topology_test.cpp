@@ -64,7 +64,8 @@ TEST(SurfaceTopology, LinesJoinASaddleWithTheNodesBesideIt)
     for (const TopologyLine& line : topology.lines) {
         ASSERT_TRUE(line.other);
         EXPECT_EQ(topology.points[*line.other].attracts, line.direction == 1);
-        EXPECT_EQ(line.pointsWorld.back(), topology.points[*line.other].positionWorld);
+        const SurfacePlace last = line.places.back(), point = topology.points[*line.other].place;
+        EXPECT_EQ(positionWorld(sphere, last), positionWorld(sphere, point));
     }
 }
 

@@ -67,14 +67,6 @@ glm::dvec3 cleaned(glm::dvec3 weight)
 
 }  // namespace
 
-glm::dvec3 SurfaceTracer::positionWorld(const SurfacePlace& place) const
-{
-    glm::dvec3 sum = mesh_.originWorld;
-    for (int i = 0; i < 3; ++i)
-        sum += place.weight[i] * glm::dvec3(mesh_.positions[mesh_.triangles[place.triangle][std::size_t(i)]]);
-    return sum;
-}
-
 void SurfaceTracer::add(Walk& walk) const
 {
     SurfaceLine& line = walk.line;

@@ -7,14 +7,9 @@
 #include <vector>
 
 #include "data/topology/flat_triangle.h"
+#include "data/topology/surface_place.h"
 
 namespace aeolic {
-
-/// A place on a surface: in a triangle, by the weights of its corners, which are at least 0 and have the sum 1.
-struct SurfacePlace {
-    std::uint32_t triangle = 0;
-    glm::dvec3 weight{0};
-};
 
 /// Why a streamline ends.
 enum class LineEnd { boundary, rest, masked, closed, longest };
@@ -40,7 +35,7 @@ public:
     /// there, and one that comes back to itself is closed. Cost: some steps for each triangle that it passes.
     SurfaceLine trace(const SurfacePlace& from, int direction, double longestWorld) const;
 
-    glm::dvec3 positionWorld(const SurfacePlace& place) const;
+    glm::dvec3 positionWorld(const SurfacePlace& place) const { return aeolic::positionWorld(mesh_, place); }
 
 private:
     struct Walk {

@@ -26,19 +26,21 @@ MarkShape shapeOf(CriticalKind kind)
 
 }  // namespace
 
-std::vector<SurfaceLines::Style> topologyLines(const SurfaceTopology& topology, const glm::dvec3& originWorld)
+std::vector<SurfaceLines::Style> topologyLines(const SurfaceTopology& topology, const SurfaceMesh& mesh)
 {
-    const auto beside = [&](const glm::dvec3& world) { return glm::vec3(world - originWorld); };
+    const auto positionOf = [&](const SurfacePlace& place) {
+        return glm::vec3(positionWorld(mesh, place) - mesh.originWorld);
+    };
     SurfaceLines::Style from{{.color = kFrom, .casing = kCasing}, {}, {}},
         to{{.color = kTo, .casing = kCasing}, {}, {}}, saddles{{.color = kSaddle, .casing = kCasing}, {}, {}};
     for (const TopologyLine& line : topology.lines) {
         std::vector<glm::vec3> points;
-        for (const glm::dvec3& point : line.pointsWorld) points.push_back(beside(point));
+        for (const SurfacePlace& place : line.places) points.push_back(positionOf(place));
         (line.direction > 0 ? to : from).lines.push_back(std::move(points));
     }
     for (const CriticalPoint& point : topology.points) {
         SurfaceLines::Style& style = point.kind == CriticalKind::saddle ? saddles : point.attracts ? to : from;
-        style.marks.push_back({beside(point.positionWorld), shapeOf(point.kind)});
+        style.marks.push_back({positionOf(point.place), shapeOf(point.kind)});
     }
     return {std::move(from), std::move(to), std::move(saddles)};
 }

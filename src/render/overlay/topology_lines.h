@@ -9,6 +9,6 @@ namespace aeolic {
 /// separation, points that attract) is red; what it comes from (lines of attachment, points that repel) is blue;
 /// saddles are black crosses. Nodes are discs, foci rings with a dot, centres rings. The colours stay apart for the
 /// colour-blind, and in gray print by their lightness.
-std::vector<SurfaceLines::Style> topologyLines(const SurfaceTopology& topology, const glm::dvec3& originWorld);
+std::vector<SurfaceLines::Style> topologyLines(const SurfaceTopology& topology, const SurfaceMesh& mesh);
 
 }  // namespace aeolic

@@ -21,11 +21,16 @@ const Style* styleAt(const std::vector<Style>& styles, const glm::vec3& at, Mark
 
 TEST(TopologyLines, WhatTheFlowRunsToAndWhatItComesFromDiffer)
 {
-    const glm::dvec3 origin(1000, 0, -5);
+    SurfaceMesh mesh;
+    mesh.originWorld = {1000, 0, -5};
     SurfaceTopology topology;
-    const auto add = [&](double x, CriticalKind kind, bool attracts) {
+    const auto add = [&](float x, CriticalKind kind, bool attracts) {
+        const auto first = std::uint32_t(mesh.positions.size());
+        for (const glm::vec3& corner : {glm::vec3(x, 0, 0), glm::vec3(x, 1, 0), glm::vec3(x, 0, 1)})
+            mesh.positions.push_back(corner);
         CriticalPoint point;
-        point.positionWorld = origin + glm::dvec3(x, 0, 0);
+        point.place = {std::uint32_t(mesh.triangles.size()), {1, 0, 0}};
+        mesh.triangles.push_back({first, first + 1, first + 2});
         point.kind = kind;
         point.attracts = attracts;
         topology.points.push_back(point);
@@ -35,10 +40,10 @@ TEST(TopologyLines, WhatTheFlowRunsToAndWhatItComesFromDiffer)
     add(2, CriticalKind::node, false);
     add(3, CriticalKind::focus, true);
     add(4, CriticalKind::centre, false);
-    topology.lines.push_back({0, 1, 1, 1, {topology.points[0].positionWorld, topology.points[1].positionWorld}});
-    topology.lines.push_back({0, 2, -1, 2, {topology.points[0].positionWorld, topology.points[2].positionWorld}});
+    topology.lines.push_back({0, 1, 1, 1, {topology.points[0].place, topology.points[1].place}});
+    topology.lines.push_back({0, 2, -1, 2, {topology.points[0].place, topology.points[2].place}});
 
-    const std::vector<Style> styles = topologyLines(topology, origin);
+    const std::vector<Style> styles = topologyLines(topology, mesh);
     MarkShape saddle{}, attracting{}, repelling{}, focus{}, centre{};
     const Style *atSaddle = styleAt(styles, {0, 0, 0}, saddle), *to = styleAt(styles, {1, 0, 0}, attracting),
                 *from = styleAt(styles, {2, 0, 0}, repelling);

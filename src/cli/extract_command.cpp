@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "aeolic/aeolic.h"
+#include "base/text.h"
+#include "cli/commands.h"
+#include "cli/progress_line.h"
+#include "cli/scene_options.h"
+#include "cluster/comm/together.h"
+#include "output/output_check.h"
+#include "output/topology_files.h"
+
+namespace aeolic {
+namespace {
+
+struct ExtractCommand {
+    ExtractCommand(CLI::App& command, std::shared_ptr<Communicator> theRanks)
+        : what(addWhat(command)), sceneOptions(command), ranks(std::move(theRanks))
+    {
+        command
+            .add_option("-o,--output", outputPath,
+                        wrapped("the file to write: .vtp (VTK polydata of vertices and lines), or .csv (a row for each "
+                                "point, and for each place of a line)"))
+            ->type_name("OUT.vtp")
+            ->take_last();
+    }
+
+    void run() const;
+
+    std::shared_ptr<std::string> what;  // Before the scene options: its place is before the scene file's.
+    SceneOptions sceneOptions;
+    std::shared_ptr<Communicator> ranks;
+    std::string outputPath;
+
+private:
+    static std::shared_ptr<std::string> addWhat(CLI::App& command)
+    {
+        auto text = std::make_shared<std::string>();
+        command.add_option("WHAT", *text, "topology: critical points, and lines of separation and attachment")
+            ->required()
+            ->type_name("");
+        return text;
+    }
+};
+
+void ExtractCommand::run() const
+{
+    const bool root = ranks->isRoot();
+    SceneDescription scene;
+    const std::string ending = lowerExtension(outputPath);
+    runTogether(*ranks, [&] {
+        if (*what != "topology") throw InputError("WHAT", "found '" + *what + "'", "topology");
+        scene = sceneOptions.scene();
+        if (ending != ".vtp" && ending != ".csv")
+            throw InputError("-o", "found '" + outputPath + "'", "a name ending in .vtp or .csv");
+        if (root) checkWritable(outputPath);
+    });
+    ProgressLine progress;
+    Renderer renderer(scene, ranks, [&](const std::string& work, double fraction) {
+        if (root) progress.show(work, fraction);
+    });
+    progress.clear();
+    const FlowTopology topology = renderer.topology();
+    if (!root) return;
+    for (std::size_t i = 0; i < renderer.info().dataWarnings; ++i)
+        fmt::print(stderr, "aeolic: warning: {}\n", renderer.info().warnings[i]);
+    if (topology.points.empty())
+        fmt::print(stderr, "aeolic: warning: the flow has no critical point on this surface\n");
+    writeTextFile(outputPath, ending == ".vtp" ? topologyVtp(topology) : topologyCsv(topology));
+}
+
+}  // namespace
+
+void addExtractCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
+{
+    CLI::App* command =
+        program.add_subcommand("extract", "Writes what the flow on a surface has, as points and lines: its topology.");
+    const auto state = std::make_shared<ExtractCommand>(*command, ranks);
+    command->callback([state] { state->run(); });
+}
+
+}  // namespace aeolic

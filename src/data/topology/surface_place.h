@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "data/mesh/surface_mesh.h"
+
+namespace aeolic {
+
+/// A place on a surface: in a triangle, by the weights of its corners, which are at least 0 and have the sum 1.
+struct SurfacePlace {
+    std::uint32_t triangle = 0;
+    glm::dvec3 weight{0};
+};
+
+inline glm::dvec3 positionWorld(const SurfaceMesh& mesh, const SurfacePlace& place)
+{
+    const auto& corners = mesh.triangles[place.triangle];
+    glm::dvec3 sum = mesh.originWorld;
+    for (int i = 0; i < 3; ++i) sum += place.weight[i] * glm::dvec3(mesh.positions[corners[std::size_t(i)]]);
+    return sum;
+}
+
+}  // namespace aeolic

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "aeolic/topology.h"
+
+namespace aeolic {
+
+/// A topology as VTK XML polydata: a vertex for each critical point, and behind them a line for each separatrix. Arrays
+/// of cells: `type` (0 node, 1 focus, 2 centre, 3 saddle, 4 of a higher kind, 5 line of separation, 6 line of
+/// attachment), `attracts` (1, or -1 where it repels; 0 elsewhere), `index`, `strength`, `length`. Arrays of points:
+/// `vectors`, and the scalar by its name.
+std::string topologyVtp(const FlowTopology& topology);
+
+/// The same as comma-separated values with a heading: a row for each critical point, with no line; then a row for each
+/// place of each line, with the line's number from 0.
+std::string topologyCsv(const FlowTopology& topology);
+
+}  // namespace aeolic
