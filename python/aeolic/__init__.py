@@ -14,9 +14,10 @@ from ._plane import lic2d
 from ._info import ArrayInfo, FileInfo, PartInfo, info
 from ._render import Renderer, render
 from ._show import Viewer
+from ._topology import Topology, TopologyLine, topology
 
-__all__ = ["ArrayInfo", "FileInfo", "Grid", "InputError", "PartInfo", "Picture", "Renderer", "Surface", "Viewer", "Volume", "info",
-           "lic2d", "render"]
+__all__ = ["ArrayInfo", "FileInfo", "Grid", "InputError", "PartInfo", "Picture", "Renderer", "Surface", "Topology", "TopologyLine",
+           "Viewer", "Volume", "info", "lic2d", "render", "topology"]
 
 
 def _save(self, path):

@@ -147,6 +147,12 @@ class Renderer:
             raise InputError("set_shown: found rows of several; expected a row of True and False") from None
         self._loaded.set_shown(switches)
 
+    def topology(self):
+        """The Topology of the flow along the surface as it is shown now: its moment, its persistence. Raises InputError where
+        the surface is in pieces."""
+        from ._topology import topology_of  # It needs this module.
+        return topology_of(self)
+
     @property
     def time(self):
         """The moment that render() and viewers show, in the data's own unit of time. Setting it loads data not yet in

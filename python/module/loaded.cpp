@@ -309,6 +309,11 @@ py::list Loaded::warnings()
     return texts;
 }
 
+FlowTopology Loaded::topology()
+{
+    return alone([&] { return renderer_->topology(); });
+}
+
 std::string Loaded::stats()
 {
     return alone([&] {

@@ -17,6 +17,7 @@
 #include "gil.h"
 #include "loaded.h"
 #include "options.h"
+#include "topology.h"
 #include "version.h"
 
 /// aeolic._core: what aeolic/*.py is made of. Nothing here checks Python's types twice: aeolic/_data.py and _options.py
@@ -113,6 +114,7 @@ void addLoaded(py::module_& module)
         .def("info", &Loaded::info)
         .def("warnings", &Loaded::warnings)
         .def("stats", &Loaded::stats)
+        .def("topology", &Loaded::topology)
         .def("scene", &Loaded::scene);
 }
 
@@ -200,6 +202,7 @@ PYBIND11_MODULE(_core, module)
     addErrors(module);
     addPicture(module);
     addLoaded(module);
+    addTopology(module);
     module.def("option_table", optionTable);
     module.def("lic2d", lic2d);
     module.def("nearest", [](const std::string& typed, const std::vector<std::string>& names) {

@@ -67,6 +67,27 @@ class FileInfo(NamedTuple):
     vectors: str | None
     suggestions: tuple[str, ...]
 
+class TopologyLine(NamedTuple):
+    kind: str
+    saddle: int
+    end: int | None
+    length: float
+    positions: numpy.ndarray
+    vectors: numpy.ndarray
+    scalars: numpy.ndarray | None
+
+class Topology:
+    positions: numpy.ndarray
+    kinds: tuple[str, ...]
+    attracts: numpy.ndarray
+    indices: numpy.ndarray
+    strengths: numpy.ndarray
+    vectors: numpy.ndarray
+    scalars: numpy.ndarray | None
+    scalar_name: str | None
+    lines: tuple[TopologyLine, ...]
+    def save(self, path: str | os.PathLike[str]) -> None: ...
+
 class Surface:
     def __init__(self, points: ArrayLike, triangles: ArrayLike | None = ..., *,
                  polygons: tuple[ArrayLike, ArrayLike] | None = ...,
@@ -106,10 +127,12 @@ def stub():
             "    def set_data(self, surface: Surface | Any | None = ..., field: Grid | Volume | Any | None = ...,\n"
             "                 progress: Callable[[str, float], Any] | None = ...) -> None: ...\n"
             "    def set_shown(self, shown: Sequence[bool]) -> None: ...\n"
+            "    def topology(self) -> Topology: ...\n"
             "    @property\n    def time(self) -> float: ...\n    @time.setter\n    def time(self, moment: float) -> None: ...\n" +
             "    @property\n    def times(self) -> tuple[float, ...]: ...\n" +
             "".join(f"    @property\n    def {name}(self) -> dict[str, Any]: ...\n" for name in ("info", "stats", "scene")) +
             "\ndef render(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Picture: ...\n" +
+            "def topology(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Topology: ...\n" +
             "def info(path: str | os.PathLike[str]) -> FileInfo: ...\n" +
             "def lic2d(\n    u: ArrayLike, v: ArrayLike, *, spacing: Sequence[float] | float = ..., texture: ArrayLike | None = ...,\n"
             "    boundary: Literal[\"closed\", \"periodic\"] = ...,\n"

@@ -21,13 +21,6 @@ int typeOf(const FlowLine& line)
     return line.separates ? kSeparation : kAttachment;
 }
 
-/// Whether streamlines run into the point; a saddle, a centre and a point of a higher kind have both.
-int attraction(const FlowPoint& point)
-{
-    const bool isEither = point.kind == CriticalPointKind::node || point.kind == CriticalPointKind::focus;
-    return !isEither ? 0 : point.attracts ? 1 : -1;
-}
-
 std::string xmlText(const std::string& text)
 {
     std::string out;
@@ -76,6 +69,12 @@ std::string csvText(const std::string& text)
 }
 
 }  // namespace
+
+int attraction(const FlowPoint& point)
+{
+    const bool isEither = point.kind == CriticalPointKind::node || point.kind == CriticalPointKind::focus;
+    return !isEither ? 0 : point.attracts ? 1 : -1;
+}
 
 std::string topologyVtp(const FlowTopology& topology)
 {
