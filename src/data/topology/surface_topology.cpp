@@ -36,6 +36,14 @@ std::optional<std::size_t> pointAt(const SurfaceMesh& mesh, const std::vector<Cr
     return nearest;
 }
 
+double lengthOf(const SurfaceMesh& mesh, const std::vector<SurfacePlace>& places)
+{
+    double length = 0;
+    for (std::size_t i = 1; i < places.size(); ++i)
+        length += glm::length(positionWorld(mesh, places[i]) - positionWorld(mesh, places[i - 1]));
+    return length;
+}
+
 void append(std::vector<SurfacePlace>& places, const std::vector<SurfacePlace>& more)
 {
     places.insert(places.end(), more.begin(), more.end());
@@ -46,11 +54,12 @@ std::vector<TopologyLine> linesOf(const SurfaceMesh& mesh, const SurfaceFans& fa
 {
     std::vector<TopologyLine> lines;
     for (const Separatrix& separatrix : separatrices(mesh, fans, field, points, longestWorld)) {
-        TopologyLine line{separatrix.saddle, {}, separatrix.direction, separatrix.line.lengthWorld, {}};
+        TopologyLine line{separatrix.saddle, {}, separatrix.direction, 0, {}};
         line.places.push_back(points[separatrix.saddle].place);
         append(line.places, separatrix.line.places);
         line.other = pointAt(mesh, points, separatrix.line);
         if (line.other) line.places.push_back(points[*line.other].place);
+        line.lengthWorld = lengthOf(mesh, line.places);
         lines.push_back(std::move(line));
     }
     return lines;
