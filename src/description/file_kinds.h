@@ -52,6 +52,8 @@ inline constexpr FileKind fileKinds[] = {
     {".pvtp", FileUse::surface, "polygons", "VTK XML polydata in pieces", "points, cells", "VTK", 0, FilePieces::apart},
     {".vtm .vtmb", FileUse::any, "a multi-block data set", "VTK XML multi-block, nested", "points, cells of its blocks",
      "own, blocks VTK", kHasParts | kHasBlocks},
+    {".vthb", FileUse::any, "an AMR data set", "VTK XML AMR, uniform grids in levels", "points, cells of its blocks",
+     "own, blocks VTK", kHasParts | kHasBlocks},
     {".case .encas", FileUse::any, "an EnSight case", "EnSight Gold case", "points, cells of its parts", "own",
      kHasParts | kHasTimes | kNamesFiles},
     {".cgns", FileUse::any, "a CGNS file", "CGNS in HDF5", "points, cells of its zones and boundaries", "own",

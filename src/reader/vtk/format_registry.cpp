@@ -116,6 +116,7 @@ constexpr FormatReader readers[] = {
      .counts = countsOfXml},
     {.endings = ".pvtp", .makeReader = make<XmlPieces<vtkXMLPPolyDataReader, vtkXMLPolyDataReader>>, .pieces = bytesOfPieces},
     {.endings = ".vtm .vtmb", .open = openMultiBlock},
+    {.endings = ".vthb", .open = openMultiBlock},
     {.endings = ".case .encas", .openParts = openEnSightCase, .times = timesOfEnSight},
     {.endings = ".cgns", .openParts = openCgns},
     {.endings = ".e .exo .ex2 .exii .g", .openParts = openExodus},

@@ -15,11 +15,18 @@
 #include "aeolic/error.h"
 #include "base/text.h"
 #include "data/part_choice.h"
+#include "reader/vtk/amr_levels.h"
 #include "reader/vtk/data_file.h"
 #include "reader/vtk/xml/xml_tree.h"
 
 namespace aeolic {
 namespace {
+
+/// What a file of blocks can be: blocks in a tree, or uniform grids in levels, of which finer ones lie over coarser
+/// ones.
+constexpr const char* kTrees[] = {"vtkMultiBlockDataSet", "vtkOverlappingAMR", "vtkNonOverlappingAMR",
+                                  "vtkHierarchicalBoxDataSet"};
+constexpr int kNoLevel = -1;
 
 constexpr int kDeepestFiles = 3;  // Files that name files that name files.
 
@@ -81,14 +88,17 @@ public:
     {
         if (readers_.empty()) open();
         auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+        std::vector<LeveledBlock> leveled;
         for (const auto& [part, reader] : readers_) {
             reader->keepOnly(kept);
             const auto data = reader->read({}, "reading a block");
             if (auto* set = vtkDataSet::SafeDownCast(data)) unifyArrays(*set, kept);
+            leveled.push_back({data, files_[part].level});
             const unsigned number = blocks->GetNumberOfBlocks();
             blocks->SetBlock(number, data);
             blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), parts_[part].name.c_str());
         }
+        hideRefined(leveled);
         return blocks;
     }
 
@@ -101,15 +111,17 @@ private:
         const auto root = parseXml(file, "a VTK XML file");
         const std::string type = attributeOf(*root, "type");
         const auto primaries = childrenOf(*root, type);
-        if (type != "vtkMultiBlockDataSet" || primaries.size() != 1)
+        const bool isKnown = std::find(std::begin(kTrees), std::end(kTrees), type) != std::end(kTrees);
+        if (!isKnown || primaries.size() != 1)
             throw InputError(file, fmt::format("it has {} elements '{:.40}'", primaries.size(), type),
-                             "one vtkMultiBlockDataSet");
-        findIn(*primaries.front(), {file, depth}, above, groups, true);
+                             "one vtkMultiBlockDataSet, or one AMR data set");
+        findIn(*primaries.front(), {file, depth, kNoLevel}, above, groups, true);
     }
 
     struct Walk {
         const std::string& file;
         int depth;
+        int level;  ///< Of a data set in levels; else kNoLevel.
     };
 
     /// `named`: the blocks have names of their own behind `above`; pieces have that of what they are pieces of.
@@ -128,15 +140,19 @@ private:
         std::stable_sort(children.begin(), children.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
         for (const auto& [index, child] : children) {
-            const std::string kind = child->GetName(), own = attributeOf(*child, "name");
+            const std::string kind = child->GetName(), level = attributeOf(*child, "level");
+            const std::string own = level.empty() ? attributeOf(*child, "name") : "level" + level;
             const std::string name = named ? above + (own.empty() ? std::to_string(index) : own) : above;
+            Walk inner = walk;
+            if (!level.empty() && !child->GetScalarAttribute("level", inner.level))
+                throw InputError(walk.file, fmt::format("a block of level '{:.40}'", level), "a number from 0");
             const std::string file = attributeOf(*child, "file");
             std::vector<std::string> within = groups;
             if (named) within.push_back(name);
             if (kind == "Piece") {
                 findIn(*child, walk, name, groups, false);
             } else if (kind == "Block") {
-                findIn(*child, walk, name + "/", within, true);
+                findIn(*child, inner, name + "/", within, true);
             } else if (kind == "DataSet" && !file.empty()) {
                 addFile(walk, name, groups, within, (std::filesystem::path(walk.file).parent_path() / file).string());
             }
@@ -154,7 +170,7 @@ private:
             return;
         }
         parts_.push_back(partOf(name, groups, file));
-        files_.push_back(file);
+        files_.push_back({file, walk.level});
     }
 
     std::vector<std::size_t> chosen() const { return chosenParts(parts_, wanted_, use_, path_); }
@@ -164,11 +180,12 @@ private:
     {
         arrays_.clear();
         for (const std::size_t part : chosen()) {
-            const std::string extension = lowerExtension(files_[part]);
+            const std::string extension = lowerExtension(files_[part].name);
             if (!extension.starts_with(".vt") && !extension.starts_with(".pvt"))
-                throw InputError(path_, fmt::format("its block '{}' is the file {}", parts_[part].name, files_[part]),
+                throw InputError(path_,
+                                 fmt::format("its block '{}' is the file {}", parts_[part].name, files_[part].name),
                                  "VTK XML files");
-            auto reader = std::make_unique<DataFile>(files_[part], FileUse::any);
+            auto reader = std::make_unique<DataFile>(files_[part].name, FileUse::any);
             for (const ArrayInfo& array : reader->announcedArrays())
                 if (std::none_of(arrays_.begin(), arrays_.end(), [&](const ArrayInfo& each) {
                         return each.name == array.name && each.onPoints == array.onPoints;
@@ -181,7 +198,11 @@ private:
     std::string path_;
     FileUse use_;
     std::vector<PartInfo> parts_;
-    std::vector<std::string> files_;  // Of each part.
+    struct BlockFile {
+        std::string name;
+        int level;  // Or kNoLevel.
+    };
+    std::vector<BlockFile> files_;  // Of each part.
     std::vector<std::string> wanted_;
     mutable std::vector<ArrayInfo> arrays_;
     mutable std::vector<std::pair<std::size_t, std::unique_ptr<DataFile>>> readers_;  // Of the parts that are wanted.
