@@ -8,8 +8,9 @@
 
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
+#include "data/load/loaded_scene.h"
 #include "data/vtk/sample_files.h"
-#include "load_testing.h"
+#include "data/vtk/sample_writers.h"
 
 /// Uniform grids in levels, of which finer ones lie over coarser ones.
 
@@ -17,7 +18,6 @@ namespace aeolic {
 namespace {
 
 using namespace test;
-using namespace testkit;
 
 /// A box of cells from `origin` with the flow (1, 0.5, 0.2); p is the level.
 void writeBlock(const std::string& path, const std::array<int, 3>& cells, const glm::dvec3& origin, double width,
