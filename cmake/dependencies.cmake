@@ -20,6 +20,8 @@ pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp libwebpmux)
 # The serial one, which Debian's VTK and netCDF are built with. The names keep out of the way of VTK's own search for it.
 pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(NETCDF_C REQUIRED IMPORTED_TARGET netcdf)
+find_path(CGNS_IO_INCLUDE_DIR cgns_io.h REQUIRED)
+find_library(CGNS_LIBRARY cgns REQUIRED)
 
 # Headers alone: what reads files and the tests include them.
 add_library(aeolic_hdf5_headers INTERFACE)
@@ -31,7 +33,7 @@ target_link_libraries(aeolic_dependencies INTERFACE Threads::Threads TBB::tbb Pk
     VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel VTK::FiltersCore VTK::FiltersGeometry VTK::FiltersGeneral)
 # What opens files of data needs more. Only aeolic-reader is linked with it.
 add_library(aeolic_reading_dependencies INTERFACE)
-target_link_libraries(aeolic_reading_dependencies INTERFACE PkgConfig::NETCDF_C PkgConfig::HDF5_SERIAL ${VTK_LIBRARIES})
+target_link_libraries(aeolic_reading_dependencies INTERFACE PkgConfig::NETCDF_C PkgConfig::HDF5_SERIAL ${CGNS_LIBRARY} ${VTK_LIBRARIES})
 # src/stream/beast.cpp compiles once what is not a template in Asio and Beast.
 target_compile_definitions(aeolic_dependencies INTERFACE BOOST_ASIO_SEPARATE_COMPILATION BOOST_BEAST_SEPARATE_COMPILATION)
 

@@ -66,7 +66,7 @@ TEST_F(CgnsDamaged, OtherFiles)
     writeBytes(file_, "no CGNS at all");
     expectComplaint({"box.cgns", "does not begin like an HDF5 file"});
     writeBytes(file_, std::string("@(#)ADF Database Version B02012>") + std::string(200, ' '));
-    expectComplaint({"box.cgns", "old form ADF", "cgnsconvert"});
+    expectComplaint({"box.cgns", "cannot be read as ADF"});
     {
         Hdf5Writer writer(file_);
     }

@@ -56,7 +56,7 @@ inline constexpr FileKind fileKinds[] = {
      "own, blocks VTK", kHasParts | kHasBlocks},
     {".case .encas", FileUse::any, "an EnSight case", "EnSight Gold case", "points, cells of its parts", "own",
      kHasParts | kHasTimes | kNamesFiles},
-    {".cgns", FileUse::any, "a CGNS file", "CGNS in HDF5", "points, cells of its zones and boundaries", "own",
+    {".cgns", FileUse::any, "a CGNS file", "CGNS in HDF5 or ADF", "points, cells of its zones and boundaries", "own",
      kHasParts | kHasTimes},
     {".e .exo .ex2 .exii .g", FileUse::any, "an Exodus file", "Exodus II",
      "points, elements, sides of its blocks and side sets", "own", kHasParts | kHasTimes},
