@@ -62,9 +62,12 @@ TEST(PointFlow, NothingWhereTheFieldIsNot)
 {
     const Scene scene = makeScene(square(20), makeField({{-1, -1, -1}, {0.5, 1, 1}}, {16, 21, 21}, turning));
     const PointFlow flow = pointFlow(scene);
-    for (std::size_t i = 0; i < flow.vectors.size(); ++i)
-        if (const double x = worldOf(flow.mesh, i).x; std::abs(x - 0.5) > 0.01)
+    for (std::size_t i = 0; i < flow.vectors.size(); ++i) {
+        const double x = worldOf(flow.mesh, i).x;
+        if (std::abs(x - 0.5) > 0.01) {
             EXPECT_EQ(std::isnan(flow.vectors[i].x), x > 0.5) << x;
+        }
+    }
 }
 
 TEST(PointFlow, NothingOnSurfacesWithoutStreaks)
