@@ -3,8 +3,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include "aeolic/error.h"
+#include "errors.h"
 #include "gil.h"
-#include "options.h"
 #include "output/output_check.h"
 #include "output/topology_files.h"
 
