@@ -38,6 +38,17 @@ const FileKind* fileKindOf(std::string_view path)
     return nullptr;
 }
 
+const UnreadKind* unreadKindOf(std::string_view path)
+{
+    const std::string name = lowerCase(std::string(path));
+    for (const UnreadKind& row : unreadKinds) {
+        bool found = false;
+        forEachEnding(row, [&](std::string_view ending) { found = found || name.ends_with(ending); });
+        if (found) return &row;
+    }
+    return nullptr;
+}
+
 std::string fileKindsText(FileUse use)
 {
     std::string text;

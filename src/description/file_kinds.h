@@ -99,9 +99,39 @@ inline constexpr const FileKind& folderKind = fileKinds[0];
 /// there is none. Never that of a folder.
 const FileKind* fileKindOf(std::string_view path);
 
+/// A kind of file that people bring and that is not read, and what reads it and writes one that is.
+struct UnreadKind {
+    const char* endings;  ///< ".xdmf .xmf", in lower case; a name may end in more than one: ".cas.h5".
+    const char* format;   ///< "XDMF"
+    const char* instead;  ///< "VTK's files, as ParaView saves them"
+};
+
+inline constexpr UnreadKind unreadKinds[] = {
+    {".xdmf .xmf .xdmf2 .xmf2 .xdmf3", "XDMF",
+     "VTK's files, as ParaView saves them (File > Save Data), or 'meshio convert NAME.xdmf NAME.vtu'"},
+    {".cas.h5 .dat.h5 .msh.h5", "Fluent's format in HDF5",
+     "the form before it (.cas and .dat), which Fluent writes after '/file/cff-files? no'"},
+    {".cas.gz .dat.gz", "a packed Fluent case", "the case unpacked, as gunzip does it"},
+    {".szplt", "Tecplot's SZL", "Tecplot in text (.dat), as Tecplot 360 writes it (File > Write Data)"},
+    {".nc .nc4 .cdf", "a netCDF grid",
+     "VTK's files, as ParaView saves them, or arrays in Python: aeolic.Grid, or aeolic.lic2d for a plane"},
+    {".grib .grb .grib2 .grb2", "GRIB", "arrays in Python, as xarray with cfgrib gives them: aeolic.lic2d"},
+    {".silo", "Silo", "VTK's files, as VisIt exports them"},
+    {".bp", "ADIOS", "VTK's files, as ParaView saves them"},
+    {".ccm .ccmg .sim", "STAR-CCM+", "CGNS or EnSight Gold, as STAR-CCM+ exports them"},
+    {".res", "a CFX result", "CGNS or EnSight Gold, as CFD-Post exports them"},
+    {".h5 .hdf5 .he5", "HDF5 of no kind that is known",
+     "VTKHDF (.vtkhdf) or CGNS (.cgns): a name that ends so is read"},
+    {".su2", "a mesh of SU2", "what SU2 writes with it: .vtu, .cgns or .dat"},
+    {".inp .unv .bdf .nas", "a mesh of a structural code", "'meshio convert NAME NEW.vtu'"},
+};
+
+/// Null where the kind is read, or not known.
+const UnreadKind* unreadKindOf(std::string_view path);
+
 /// Each ending of a kind by itself.
-template <class Use>
-void forEachEnding(const FileKind& kind, const Use& use)
+template <class Kind, class Use>
+void forEachEnding(const Kind& kind, const Use& use)
 {
     for (std::string_view left = kind.endings; !left.empty();) {
         const std::size_t end = left.find(' ');

@@ -12,10 +12,15 @@
 namespace aeolic {
 namespace {
 
-TEST(FileKinds, TheDocsHaveTheTable)
+std::string docsOfFormats()
 {
     std::ifstream file(AEOLIC_SOURCE_DIR "/docs/file-formats.md");
-    const std::string text(std::istreambuf_iterator<char>(file), {});
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(FileKinds, TheDocsHaveTheTable)
+{
+    const std::string text = docsOfFormats();
     EXPECT_NE(text.find(fileKindsTable()), std::string::npos) << fileKindsTable();
 }
 
@@ -26,6 +31,21 @@ TEST(FileKinds, EveryExtensionStandsOnce)
         forEachEnding(row, [&](std::string_view ending) {
             EXPECT_TRUE(extensions.insert(std::string(ending)).second) << ending;
             EXPECT_EQ(fileKindOf("a/b." + std::string(ending)), &row) << ending;
+        });
+}
+
+TEST(FileKinds, WhatIsNotReadIsKnownByItsLastEndings)
+{
+    EXPECT_STREQ(unreadKindOf("a/OUT.CAS.H5")->format, "Fluent's format in HDF5");
+    EXPECT_STREQ(unreadKindOf("run.1.h5")->format, "HDF5 of no kind that is known");
+    EXPECT_EQ(unreadKindOf("a.vtu"), nullptr);
+    EXPECT_EQ(unreadKindOf("a"), nullptr);
+    const std::string docs = docsOfFormats();
+    for (const UnreadKind& row : unreadKinds)
+        forEachEnding(row, [&](std::string_view ending) {
+            const FileKind* kind = fileKindOf("a" + std::string(ending));
+            EXPECT_FALSE(kind && kind->holdsData()) << ending << " is read";
+            EXPECT_NE(docs.find("`" + std::string(ending) + "`"), std::string::npos) << ending;
         });
 }
 

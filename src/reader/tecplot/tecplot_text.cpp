@@ -118,7 +118,9 @@ int TecplotZone::dimension() const
 
 TecplotText::TecplotText(const std::string& path) : path_(path), data_(wholeFile(path))
 {
-    if (data_.starts_with("#!TD")) throw InputError(path, "it is a Tecplot file in binary", "one in text");
+    if (data_.starts_with("#!TD"))
+        throw InputError(path, "it is a Tecplot file in binary",
+                         "one in text, as Tecplot 360 writes it (File > Write Data)");
     if (data_.find('\0') < kBeginning) throw InputError(path, "it is not text", "a Tecplot file in text");
     TecplotHeads heads(data_, path_);
     heads.read();

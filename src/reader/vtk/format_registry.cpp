@@ -178,6 +178,8 @@ const FileKind& chooseKind(const std::string& path, FileUse use)
                                  : use == FileUse::field ? "a field: " + fields
                                                          : fileKindsText(FileUse::any);
     if (!kind || !kind->holdsData()) {
+        if (const UnreadKind* unread = unreadKindOf(path))
+            throw InputError(path, fmt::format("it is {}, which is not read", unread->format), unread->instead);
         const std::string extension = lowerExtension(path);
         throw InputError(
             path, extension.empty() ? "the name has no extension" : "unknown extension '" + extension + "'", expected);
