@@ -117,7 +117,8 @@ void Hub::chargeOwnPicture(Viewer& viewer, SteadyClock::duration took)
 SteadyClock::duration Hub::restAfterChange(const Viewer& viewer, SteadyClock::duration took) const
 {
     const int others = othersWhoLookAround(viewer);
-    return others > 0 ? std::min<SteadyClock::duration>(2 * (others + 1) * took, kLongestRest) : SteadyClock::duration{};
+    return others > 0 ? std::min<SteadyClock::duration>(2 * (others + 1) * took, kLongestRest)
+                      : SteadyClock::duration{};
 }
 
 /// Whether a view of the viewer that changes the scene is seen soon enough in the next picture of a change, so that
