@@ -11,10 +11,12 @@ namespace {
 
 using Wholes = std::vector<std::int64_t>;
 
+/// Of damaged lengths it is the largest number there is.
 std::int64_t productOf(const Wholes& lengths)
 {
     std::int64_t product = 1;
-    for (const std::int64_t length : lengths) product *= length;
+    for (const std::int64_t length : lengths)
+        if (__builtin_mul_overflow(product, length, &product)) return std::numeric_limits<std::int64_t>::max();
     return product;
 }
 
