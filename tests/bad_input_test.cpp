@@ -319,14 +319,6 @@ TEST_F(BadInput, FieldThatDoesNotMeetTheSurface)
         expectRefused("sphere", folder_.file(name), {name, "does not meet", "100,100,100"});
 }
 
-TEST_F(BadInput, ImageWithTurnedAxes)
-{
-    GridSample sample;
-    sample.turned = true;
-    writeGridFile(folder_.file("turned.vti"), sample);
-    expectRefused("sphere", folder_.file("turned.vti"), {"turned.vti", "Direction"});
-}
-
 TEST_F(BadInput, FlatDataCannotBeSampledIn3d)
 {
     GridSample sample;

@@ -34,7 +34,7 @@ TEST_F(Cli, ExtractSaysWhereThereIsNothing)
 TEST_F(Cli, ExtractTakesAScenesOwnFile)
 {
     EXPECT_EQ(aeolic(kScene + "--persistence 0.3 -o a.csv").exitCode, 0);
-    std::ofstream(folder_ / "s.json") << R"({"surface":"torus:2000","field":"abc:16,16,16",)"
+    std::ofstream(folder_ / "s.json") << R"({"surface":{"spec":"torus:2000"},"field":{"spec":"abc:16,16,16"},)"
                                          R"("shading":{"overlay":"topology","persistence":0.3}})";
     const Outcome outcome = aeolic("extract topology s.json -o b.csv");
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;

@@ -225,6 +225,8 @@ TEST_F(Fluent, InfoListsZonesAndCommands)
 TEST_F(Fluent, Damaged)
 {
     writeBytes(file_, "$MeshFormat\n");
+    expectComplaint({"box.cas", "it is a mesh of Gmsh, not of Fluent"});
+    writeBytes(file_, "$Mesh\n");
     expectComplaint({"box.cas", "does not begin like a Fluent file"});
     writeBytes(file_, "\x1f\x8b packed");
     expectComplaint({"box.cas", "packed by gzip"});

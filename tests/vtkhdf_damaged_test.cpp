@@ -102,7 +102,8 @@ TEST_F(VtkHdfDamaged, OtherFiles)
     writeSheet();
     EXPECT_NE(complaint(false, "tau").find("it holds polygons; expected a grid to sample"), std::string::npos);
     writeImage();
-    EXPECT_NE(complaint(true, "U").find("it holds image data; expected polygons"), std::string::npos);
+    EXPECT_NE(complaint(true, "U").find("it holds image data, which is a field, not a surface; expected polygons"),
+              std::string::npos);
 }
 
 TEST_F(VtkHdfDamaged, Images)

@@ -52,7 +52,7 @@ TEST(OptionNames, KeysOfSceneFilesFollowFromTheCommandLines)
 TEST(OptionNames, MembersInCppAreCalledLikeTheKeys)
 {
     const std::string table = textOf("src/description/option_table.h");
-    const std::regex row(R"re(Option\{\w+, "(\w+)", "(--[^"]+)"[\s\S]*?scene\.(\w+)\.(\w+),)re");
+    const std::regex row(R"re(Option\{\s*\w+, "(\w+)", "(--[^"]+)"[\s\S]*?scene\.(\w+)\.(\w+),)re");
     const std::map<std::string, std::string> keys = keysByName();
     std::set<std::string> seen;
     for (std::sregex_iterator match(table.begin(), table.end(), row), end; match != end; ++match) {

@@ -52,7 +52,7 @@ PointFlow pointFlow(const Scene& scene)
             if (isOwn && !mesh.pointVectors.empty()) flow.vectors[i] = mesh.pointVectors[i];
             if (!isOwn) {
                 const FieldVector found = vectorAt(*scene.field, mesh.originWorld + glm::dvec3(mesh.positions[i]));
-                flow.vectors[i] = glm::vec3(found.vector);
+                if (found.inside) flow.vectors[i] = glm::vec3(found.vector);
             }
         }
     });

@@ -51,7 +51,8 @@ void FluentText::refuseGmsh() const
     if (!text.starts_with(head)) return;
     const std::size_t begin = std::min(text.find_first_not_of(kBlanks, head.size()), text.size());
     const std::string_view version = text.substr(begin, text.find_first_of(kBlanks, begin) - begin);
-    fail(fmt::format("it is a mesh of Gmsh (format {}), not of Fluent", plain(version)), kFromGmsh);
+    const std::string format = version.empty() ? "" : fmt::format(" (format {})", plain(version));
+    fail(fmt::format("it is a mesh of Gmsh{}, not of Fluent", format), kFromGmsh);
 }
 
 void FluentText::fail(const std::string& found, const std::string& expected) const

@@ -15,12 +15,18 @@ constexpr int kSide = 41, kMiddle = 20;
 constexpr double kFar = 10;
 constexpr Pixel kGround{100, 100, 100, 255}, kLine{200, 0, 0, 255}, kCasing{255, 255, 255, 255};
 
+/// The plane z = 0, and something near the eye, so that the view shows what is between.
+Scene planeAndMore()
+{
+    SurfaceMesh mesh = makeRectangle({0, 0, 0}, {5, 0, 0}, {0, 5, 0});
+    append(mesh, makeRectangle({0, 0, 9}, {0.01, 0, 0}, {0, 0.01, 0}));
+    return makeScene(mesh);
+}
+
 /// A plane that faces the camera, a line or mark on it, and what a rank with some rows draws of it.
 class SurfaceLinesTest : public testing::Test {
 protected:
-    SurfaceLinesTest()
-        : scene_(makeScene(makeRectangle({0, 0, 0}, {5, 0, 0}, {0, 5, 0}))),
-          view_(makeView(frontCamera(scene_, kFar, kSide, kSide), scene_, {}))
+    SurfaceLinesTest() : scene_(planeAndMore()), view_(makeView(frontCamera(scene_, kFar, kSide, kSide), scene_, {}))
     {
         // The look is chosen for 800x800; here 1 pixel has to be 1 pixel.
         style_.look = {{200, 0, 0}, {255, 255, 255}, 3 * scale_, 1 * scale_, 11 * scale_};

@@ -1,9 +1,13 @@
 #include "data/vtk/grid/volume_blocks.h"
 
 #include <vtkAppendFilter.h>
+#include <vtkCellData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "aeolic/error.h"
@@ -12,6 +16,31 @@
 #include "data/vtk/surface/blocks.h"
 
 namespace aeolic {
+
+namespace {
+
+/// What is put together keeps the arrays that all have. So where one hides cells or points, the others say that they
+/// hide none.
+void shareFlags(const std::vector<vtkDataSet*>& volumes, bool onPoints)
+{
+    const char* const name = vtkDataSetAttributes::GhostArrayName();
+    const auto attributesOf = [&](vtkDataSet& data) -> vtkDataSetAttributes* {
+        if (onPoints) return data.GetPointData();
+        return data.GetCellData();
+    };
+    const auto has = [&](vtkDataSet* data) { return attributesOf(*data)->GetArray(name) != nullptr; };
+    if (std::none_of(volumes.begin(), volumes.end(), has)) return;
+    for (vtkDataSet* volume : volumes) {
+        if (has(volume)) continue;
+        vtkNew<vtkUnsignedCharArray> none;
+        none->SetName(name);
+        none->SetNumberOfValues(onPoints ? volume->GetNumberOfPoints() : volume->GetNumberOfCells());
+        none->FillValue(0);
+        attributesOf(*volume)->AddArray(none);
+    }
+}
+
+}  // namespace
 
 vtkSmartPointer<vtkDataSet> volumeOf(vtkMultiBlockDataSet& blocks, const std::string& path)
 {
@@ -27,6 +56,7 @@ vtkSmartPointer<vtkDataSet> volumeOf(vtkMultiBlockDataSet& blocks, const std::st
     if (volumes.empty())
         throw InputError(path, "none of its parts fills space", "cells of a volume (polygons go to --surface)");
     if (volumes.size() == 1) return volumes.front();
+    for (const bool onPoints : {false, true}) shareFlags(volumes, onPoints);
     const VtkMessages messages;
     vtkNew<vtkAppendFilter> append;
     append->MergePointsOn();  // Cells of two parts that touch are neighbours.
