@@ -4,6 +4,7 @@ from typing import Any, NamedTuple, Optional
 from . import _core
 from ._checks import path as path_of
 from ._data import InputError
+from ._options import KEYWORDS, documented
 from ._render import Renderer
 
 
@@ -44,6 +45,7 @@ class Topology:
         return f"<aeolic.Topology of {len(self.kinds)} points and {len(self.lines)} lines>"
 
 
+@documented(KEYWORDS)
 def topology(surface=None, *, field=None, scene=None, progress=None, **options):
     """The Topology of the flow on a surface: what overlay="topology" draws. The arguments are those of Renderer; persistence=
     says which pairs of points are left out. Renderer.topology() gives that of a scene that is loaded already."""

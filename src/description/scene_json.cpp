@@ -44,6 +44,8 @@ struct OptionWriter {
     requires std::is_enum_v<Choice>
     void operator()(const Option& option, const Choice& value, const NameRule&) const
     {
+        // The word that stands in the place of an option's numbers, where none was said.
+        if (std::string_view(option.name).ends_with(wordSuffix) && value == Choice{}) return;
         document[option.group.key][option.key] = nameOf(value);
     }
 };

@@ -93,6 +93,9 @@ void writeSurfaces(const std::string& folder)
         legacy->Write();
     }
     writeSheetFile(folder + "/sheets.vtm");
+    writeBytes(folder + "/levels.vthb", R"(<VTKFile type="vtkOverlappingAMR" version="1.1"><vtkOverlappingAMR>
+<Block level="0"><DataSet index="0" amr_box="0 8 0 7 0 6" file="grid0.vti"/></Block>
+<Block level="1"><DataSet index="0" amr_box="0 8 0 7 0 6" file="grid1.vti"/></Block></vtkOverlappingAMR></VTKFile>)");
     writeBytes(folder + "/nested.vtmb", R"(<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>
 <Block index="0" name="outer"><DataSet index="0" name="inner" file="sheets.vtm"/><DataSet index="1"/></Block>
 <Piece index="1" name="pieces"><DataSet index="0" file="sheet0.vtp"/><DataSet index="1" file="sheet1.vtp"/></Piece>

@@ -197,7 +197,7 @@ def command(path, name, picture, rng):
         return common + ["--vectors", "tau"] + rng.choice([[], ["--color-by", "q"]]) + rng.choice([
             ["--surface", path], ["--surface", path, "--time", "0.5"], ["--surface", path + ":block0,odd"],
             ["--surface", "boundary", "--field", path + ":block2"]])
-    if ending(name) in (".vtm", ".vtmb") and rng.random() < .4:
+    if ending(name) in (".vtm", ".vtmb", ".vthb") and rng.random() < .4:
         return common + rng.choice([["--vectors", "tau", "--surface", path + ":" + rng.choice(["0", "1", "*", "inner", "inner/*"])],
                                     ["--field", path, "--vectors", "U", "--surface", "boundary"]])
     if not is_field(name):

@@ -38,6 +38,7 @@ BESIDE = {
     "resample_spacing": {**SLICE, "field": "FOLDER/box.vtr"}, "axes": LARGE, "legend": {**LARGE, **COLORED},
     "integrator": {"lic": "direct"}, "phase": {"kernel": "hann"}, "time_range": {"frames": 2}, "orbit": {"frames": 2},
     "color_range": COLORED, "colormap": COLORED, "color_scale": COLORED, "scalar_bar": {**LARGE, **COLORED}, "text_scale": {**LARGE, **COLORED},
+    "persistence": {"overlay": "topology", "surface": "torus:4000", "field": "abc:16,16,16"},
     "below_color": {**COLORED, "color_range": (0.1, 0.2)}, "above_color": {**COLORED, "color_range": (0.1, 0.2)},
 }
 # … or here, where it never changes a picture.

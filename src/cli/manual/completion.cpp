@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "cli/manual/manual.h"
 #include "cli/manual/option_words.h"
 
@@ -22,9 +24,10 @@ std::vector<std::string> allNames(const CLI::App& command)
     return names;
 }
 
+/// Whether some choices go on, as "zoom=" does.
 bool areBeginnings(const std::vector<std::string>& choices)
 {
-    return !choices.empty() && choices.back().ends_with('=');
+    return std::any_of(choices.begin(), choices.end(), [](const std::string& choice) { return choice.ends_with('='); });
 }
 
 /// The lines of bash's case that say what may follow one command's options.
