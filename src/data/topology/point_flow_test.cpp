@@ -51,7 +51,7 @@ TEST(PointFlow, TrianglesBecomeAsFineAsTheFieldsCells)
     const Scene scene = makeScene(square(1), makeField({{-1, -1, -1}, {1, 1, 1}}, {21, 21, 21}, turning));
     const PointFlow flow = pointFlow(scene);
     EXPECT_EQ(scene.surface.triangles.size(), 2u);
-    EXPECT_GE(flow.mesh.triangles.size(), 2 * 20 * 20u);
+    EXPECT_GE(flow.mesh.triangles.size(), 400u);  // No edge is much longer than a cell.
     EXPECT_LE(flow.mesh.triangles.size(), 16 * 20 * 20u);
     ASSERT_EQ(flow.vectors.size(), flow.mesh.positions.size());
     for (std::size_t i = 0; i < flow.vectors.size(); ++i)
