@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A step goes so far, as a part of the triangle's least height, and so far in the time in which the flow changes.
+/// A step goes so far, as a part of the triangle's longest side, and so far in the time in which the flow changes. The
+/// flow is linear, so that a thin triangle needs no shorter ones.
 constexpr double kStepPart = 0.25, kTimePart = 0.5;
 
 /// Where the flow is slower than this part of what it is at the triangle's corners a line has come to a point at rest.
@@ -22,13 +23,14 @@ constexpr double kAtCorner = 1e-9, kIntoTriangle = 1e-6;
 /// it so many times.
 constexpr double kSamePlace = 1e-3;
 constexpr std::size_t kMostCrossings = 100;
-constexpr int kMostSteps = 1 << 20;
+/// In one triangle; there is a focus in it that the line nears so slowly, or it is thin and the flow turns in it. And
+/// triangles on a line.
+constexpr int kMostSteps = 1 << 12, kMostTriangles = 1 << 20;
 
-double leastHeight(const FlatTriangle& flat)
+double longestSide(const FlatTriangle& flat)
 {
     const auto& p = flat.point;
-    const double area = p[1].x * p[2].y;
-    return area / std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
+    return std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
 }
 
 /// The weights after a time, by Runge and Kutta's fourth order; inside or outside of the triangle.
@@ -88,14 +90,14 @@ std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk, double longe
     const glm::dmat2 derivative = flat.derivative();
     const double change = std::sqrt(glm::dot(derivative[0], derivative[0]) + glm::dot(derivative[1], derivative[1]));
     const double fastest = std::max({glm::length(flat.flow[0]), glm::length(flat.flow[1]), glm::length(flat.flow[2])}),
-                 height = leastHeight(flat);
+                 longest = longestSide(flat);
     for (int step = 0; step < kMostSteps; ++step) {
         const double speed = glm::length(flat.flowAt(walk.at.weight));
         if (!(speed > kAtRest * fastest)) {
             walk.line.end = LineEnd::rest;
             return {};
         }
-        double time = kStepPart * height / speed;
+        double time = kStepPart * longest / speed;
         if (change > 0) time = std::min(time, kTimePart / change);
         time *= walk.direction;
         const glm::dvec3 from = walk.at.weight;
@@ -199,7 +201,7 @@ SurfaceLine SurfaceTracer::trace(const SurfacePlace& from, int direction, double
 {
     Walk walk{from, direction, {}, {}};
     add(walk);
-    for (int triangle = 0; triangle < kMostSteps; ++triangle) {
+    for (int triangle = 0; triangle < kMostTriangles; ++triangle) {
         const std::optional<std::uint32_t> side = walkThrough(walk, longestWorld);
         if (!side || !enter(walk, *side)) break;
     }

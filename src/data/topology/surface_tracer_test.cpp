@@ -63,6 +63,21 @@ TEST(SurfaceTracer, AFlowInCirclesIsClosed)
     }
 }
 
+/// A million times as long as wide: steps as short as a triangle is wide would be as many.
+TEST(SurfaceTracer, ThinTrianglesTakeFewSteps)
+{
+    SurfaceMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1e-6f, 0}, {0, 1e-6f, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    for (const float drift : {0.0f, 1e-7f, -1e-7f}) {
+        const Flow flow(mesh, [&](const glm::vec3&) { return glm::vec3(1, drift, 0); });
+        const SurfaceLine line = flow.tracer.trace({1, {0.5, 0.01, 0.49}}, 1, kLong);
+        EXPECT_LE(line.places.size(), 20u) << drift;
+        EXPECT_EQ(line.end, LineEnd::boundary) << drift;
+        EXPECT_NEAR(flow.tracer.positionWorld(line.places.back()).x, 1, 1e-6) << drift;
+    }
+}
+
 TEST(SurfaceTracer, AFlowAroundASphereStaysAtItsLatitude)
 {
     const Flow flow(makeBuiltinSurface("sphere:3000"), [](const glm::vec3& p) { return glm::vec3(-p.y, p.x, 0); });
