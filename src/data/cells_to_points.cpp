@@ -91,6 +91,7 @@ private:
         copyPoint(mesh_.normals, point);
         copyPoint(mesh_.pointVectors, point);
         copyPoint(mesh_.pointScalars, point);
+        if (!mesh_.surfaceOf.empty()) copyPoint(mesh_.surfaceOf, point);
         if (vector) mesh_.pointVectors.back() = glm::vec3(nan);
         if (scalar) mesh_.pointScalars.back() = nan;
         return found->second;

@@ -118,7 +118,9 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
 
 void Renderer::State::tell()
 {
-    requireOverlay(description.shading, scene());
+    if (description.shading.overlay != Overlay::none)
+        runTogether(
+            group.communicator(), [&] { requireOverlay(description.shading, scene()); }, false);
     StartedFrame frame;
     setLook(frame);
     const OutputOptions& output = description.output;

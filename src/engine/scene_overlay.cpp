@@ -34,11 +34,18 @@ public:
 private:
     double scalarAt(const SurfacePlace& place, const glm::dvec3& position, const glm::dvec3& vector) const
     {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
         const SurfaceMesh& mesh = flow_.mesh;
-        if (scene_.hasScalar && scene_.colorByFieldMagnitude) return glm::length(vector);
-        if (scene_.hasScalar && scene_.scalarField) return vectorAt(*scene_.scalarField, position).vector.x;
+        const SceneSurface* const surface =
+            mesh.surfaceOf.empty() ? nullptr : &scene_.surfaces[mesh.surfaceOf[mesh.triangles[place.triangle][0]]];
+        if (!scene_.hasScalar || (surface && surface->colors != 0)) return none;  // Colours of another array.
+        if (scene_.scalarFromField() && !(surface && surface->ownScalar)) {
+            if (scene_.colorByFieldMagnitude) return glm::length(vector);
+            const FieldVector found = vectorAt(*scene_.scalarField, position);
+            return found.inside ? found.vector.x : none;
+        }
         if (!mesh.cellScalars.empty()) return mesh.cellScalars[place.triangle];
-        if (mesh.pointScalars.empty()) return std::numeric_limits<double>::quiet_NaN();
+        if (mesh.pointScalars.empty()) return none;
         double sum = 0;
         for (int i = 0; i < 3; ++i)
             sum += place.weight[i] * double(mesh.pointScalars[mesh.triangles[place.triangle][std::size_t(i)]]);

@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "base/text.h"
+
 namespace aeolic {
 namespace {
 
 constexpr int kSeparation = 5, kAttachment = 6;
+constexpr const char* kVectors = "vectors";
 
 int typeOf(const FlowPoint& point)
 {
@@ -24,7 +27,7 @@ int typeOf(const FlowLine& line)
 std::string xmlText(const std::string& text)
 {
     std::string out;
-    for (const char c : text) switch (c) {
+    for (const char c : withoutControls(text)) switch (c) {
             case '&':
                 out += "&amp;";
                 break;
@@ -112,8 +115,9 @@ std::string topologyVtp(const FlowTopology& topology)
         "NumberOfStrips=\"0\" NumberOfPolys=\"0\">",
         scalars.size(), vertEnds.size(), lineEnds.size());
     text += "<Points>" + data.array("Points", 3, positions) + "</Points>";
-    text += "<PointData Vectors=\"vectors\">" + data.array("vectors", 3, vectors);
-    if (!topology.scalar.empty()) text += data.array(topology.scalar, 1, scalars);
+    text += fmt::format("<PointData Vectors=\"{}\">", kVectors) + data.array(kVectors, 3, vectors);
+    const std::string scalar = topology.scalar == kVectors ? topology.scalar + " (scalar)" : topology.scalar;
+    if (!scalar.empty()) text += data.array(scalar, 1, scalars);
     text += "</PointData><CellData>" + data.array("type", 1, types) + data.array("attracts", 1, attracts) +
             data.array("index", 1, indices) + data.array("strength", 1, strengths) + data.array("length", 1, lengths) +
             "</CellData>";

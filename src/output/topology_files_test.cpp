@@ -91,6 +91,21 @@ TEST(TopologyFiles, VtkReadsTheVtp)
     EXPECT_EQ(data.GetCell(4)->GetPointId(1), 7);
 }
 
+TEST(TopologyFiles, NamesOfAnyKindMakeAFile)
+{
+    const test::TempFolder folder;
+    for (const std::string name : {"vectors", "p\x01q", "a&b<\"c\">"}) {
+        FlowTopology topology = sample();
+        topology.scalar = name;
+        writeTextFile(folder.file("named.vtp"), topologyVtp(topology));
+        vtkNew<vtkXMLPolyDataReader> reader;
+        reader->SetFileName(folder.file("named.vtp").c_str());
+        reader->Update();
+        EXPECT_EQ(reader->GetOutput()->GetPointData()->GetNumberOfArrays(), 2) << name;
+        EXPECT_EQ(reader->GetOutput()->GetPointData()->GetVectors()->GetNumberOfComponents(), 3) << name;
+    }
+}
+
 TEST(TopologyFiles, AFlowWithoutPointsIsAFileToo)
 {
     const test::TempFolder folder;

@@ -119,6 +119,8 @@ void cutEdges(SurfaceMesh& mesh, const EdgeCuts& cuts)
     addMiddles(mesh.pointVectors, cuts.ends);
     addMiddles(mesh.pointScalars, cuts.ends);
     addNormals(mesh.normals, cuts.ends);
+    if (!mesh.surfaceOf.empty())  // All corners of a triangle are of one surface.
+        for (const glm::uvec2& ends : cuts.ends) mesh.surfaceOf.push_back(mesh.surfaceOf[ends.x]);
 }
 
 }  // namespace aeolic

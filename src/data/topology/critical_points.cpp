@@ -70,27 +70,49 @@ void classify(const FlatTriangle& flat, CriticalPoint& out)
         out.kind = CriticalKind::node;
     else
         out.kind = std::abs(trace) < kClosed * std::sqrt(turning) ? CriticalKind::centre : CriticalKind::focus;
+    if (out.kind == CriticalKind::centre) out.attracts = false;
+}
+
+/// Corners of a triangle where the flow is at rest; nothing where the triangle is masked.
+std::optional<std::vector<std::uint32_t>> restingCorners(const SurfaceFans& fans, const TangentField& field,
+                                                         std::uint32_t t)
+{
+    if (field.masked[t]) return {};
+    std::vector<std::uint32_t> resting;
+    for (std::uint32_t c = 3 * t; c < 3 * t + 3; ++c)
+        if (field.length[fans.fanOf[c]] == 0) resting.push_back(c);
+    return resting;
+}
+
+/// Turns of the flow around a point at rest: those around the triangles of its fan, of which the first one tells them.
+/// 0 for the others.
+int indexAt(const SurfaceFans& fans, const TangentField& field, std::uint32_t corner)
+{
+    int index = 0;
+    std::uint32_t first = corner;
+    forEachCorner(fans, fans.fanOf[corner], [&](std::uint32_t c) {
+        const auto resting = restingCorners(fans, field, c / 3);
+        if (!resting || resting->size() != 1) return;
+        index += indexOf(fans, field, c / 3);
+        first = std::min(first, c);
+    });
+    return first == corner ? index : 0;
 }
 
 std::optional<CriticalPoint> criticalPointOf(const SurfaceMesh& mesh, const SurfaceFans& fans,
                                              const TangentField& field, std::uint32_t t)
 {
-    int resting = 0, restingCorner = 0;
-    for (int i = 0; i < 3; ++i) {
-        const double length = field.length[fans.fanOf[3 * t + std::uint32_t(i)]];
-        if (!std::isfinite(length)) return {};
-        if (length == 0) ++resting, restingCorner = i;
-    }
-    if (resting > 1) return {};
+    const auto resting = restingCorners(fans, field, t);
+    if (!resting || resting->size() > 1) return {};
     CriticalPoint found;
     found.place.triangle = t;
-    found.index = indexOf(fans, field, t);
+    found.index = resting->empty() ? indexOf(fans, field, t) : indexAt(fans, field, resting->front());
     if (found.index == 0) return {};
     const FlatTriangle laid(mesh, fans, field, t);
-    if (resting == 1)
-        found.place.weight[restingCorner] = 1;
-    else
+    if (resting->empty())
         placeIn(laid, found);
+    else
+        found.place.weight[int(resting->front() % 3)] = 1;
     classify(laid, found);
     return found;
 }

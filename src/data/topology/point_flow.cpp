@@ -1,5 +1,6 @@
 #include "data/topology/point_flow.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -16,6 +17,9 @@ namespace {
 constexpr std::size_t kGrain = 1024;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
+/// More are not made of a surface. The topology takes about 150 bytes for each.
+constexpr std::uint64_t kMostTriangles = std::uint64_t{4} << 20;
+
 /// Which of the scene's surfaces a point is of; nothing where there is only one.
 const SceneSurface* surfaceAt(const Scene& scene, const SurfaceMesh& mesh, std::size_t point)
 {
@@ -27,7 +31,7 @@ void refine(SurfaceMesh& mesh, const std::shared_ptr<const GridField>& field)
 {
     const GridSampler sampler(field, nullptr);
     const auto tooLong = [&](const glm::dvec3& a, const glm::dvec3& b) { return longerThanCell(sampler, a, b); };
-    const std::uint64_t most = mostRefinedTriangles(field->sampleCount(), mesh.triangles.size());
+    const std::uint64_t most = std::max<std::uint64_t>(kMostTriangles, mesh.triangles.size());
     for (int round = 0; round < kMostRefinements; ++round) {
         const EdgeCuts cuts = findCuts(mesh, tooLong);
         if (cuts.ends.empty() || cuts.triangles > most) return;

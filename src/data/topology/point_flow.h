@@ -9,7 +9,7 @@ namespace aeolic {
 
 /// A surface with the flow at each of its points.
 struct PointFlow {
-    SurfaceMesh mesh;                ///< Positions and triangles; as fine as the cells of the field that is sampled.
+    SurfaceMesh mesh;                ///< Positions and triangles; as fine as the field that is sampled.
     std::vector<glm::vec3> vectors;  ///< [points of the mesh] World axes; NaN where no streaks show.
 };
 

@@ -45,6 +45,21 @@ TEST(PointFlow, ValuesOfTrianglesComeToThePoints)
         EXPECT_LT(glm::length(flow.vectors[i] - turning(worldOf(flow.mesh, i))), 0.06f) << i;
 }
 
+TEST(PointFlow, SurfacesStayApartWhereTheyAreMadeFiner)
+{
+    SurfaceMesh mesh = square(1), beside = makeRectangle({0, 0, 0.5}, {1, 0, 0}, {0, 1, 0}, 1);
+    const std::size_t own = mesh.positions.size();
+    append(mesh, beside);
+    mesh.surfaceOf.assign(mesh.positions.size(), 1);
+    std::fill_n(mesh.surfaceOf.begin(), own, std::uint8_t{0});
+    Scene scene = makeScene(mesh, makeField({{-1, -1, -1}, {1, 1, 1}}, {21, 21, 21}, turning));
+    scene.surfaces = {{.name = "with", .streaks = true}, {.name = "without", .streaks = false}};
+    const PointFlow flow = pointFlow(scene);
+    ASSERT_EQ(flow.mesh.surfaceOf.size(), flow.vectors.size());
+    for (std::size_t i = 0; i < flow.vectors.size(); ++i)
+        EXPECT_EQ(std::isnan(flow.vectors[i].x), worldOf(flow.mesh, i).z > 0.25) << i;
+}
+
 /// Two triangles would know the field at four points.
 TEST(PointFlow, TrianglesBecomeAsFineAsTheFieldsCells)
 {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <optional>
 
 #include "base/parallel.h"
 
@@ -35,6 +37,67 @@ SurfacePlace beside(const FlatTriangle& flat, const CriticalPoint& point, const 
     return {point.place.triangle, weight / (weight.x + weight.y + weight.z)};
 }
 
+/// A direction in which the flow runs straight away from a point or to it, by the cosine between the two.
+constexpr double kStraight = 1 - 1e-9;
+
+/// Where a separatrix begins, and which way it goes.
+struct Start {
+    SurfacePlace place;
+    int direction = 1;
+};
+
+std::vector<Start> startsInTriangle(const FlatTriangle& flat, const CriticalPoint& saddle)
+{
+    const std::array<glm::dvec2, 2> along = eigenvectors(flat.derivative());
+    std::vector<Start> starts;
+    for (std::size_t k = 0; k < 4; ++k)
+        starts.push_back({beside(flat, saddle, (k % 2 == 0 ? 1.0 : -1.0) * along[k / 2]), k < 2 ? 1 : -1});
+    return starts;
+}
+
+/// Of a saddle at a point of the mesh: in each triangle around it those of its two directions that lead into it. One
+/// along a side belongs to the triangle that begins there.
+std::vector<Start> startsAroundPoint(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
+                                     std::uint32_t corner)
+{
+    constexpr double alongSide = 1e-9;
+    std::vector<Start> starts;
+    forEachCorner(fans, fans.fanOf[corner], [&](std::uint32_t c) {
+        const std::uint32_t t = c / 3;
+        if (field.masked[t]) return;
+        const FlatTriangle flat(mesh, fans, field, t);
+        const glm::dmat2 derivative = flat.derivative();
+        const std::array<glm::dvec2, 2> along = eigenvectors(derivative);
+        const glm::dvec2 point = flat.point[c % 3];
+        const double side = glm::length(flat.point[nextInTriangle(c) % 3] - point);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const glm::dvec2 way = (k % 2 == 0 ? 1.0 : -1.0) * along[k / 2];
+            const glm::dvec3 weight = flat.weightsOf(point + side * way);
+            const double next = weight[int(nextInTriangle(c) % 3)],
+                         last = weight[int(SurfaceFans::previousInTriangle(c) % 3)];
+            if (!(next > alongSide) || last < -alongSide) continue;
+            glm::dvec3 at(0);
+            at[int(c % 3)] = 1 - kBesideSaddle;
+            at[int(nextInTriangle(c) % 3)] = kBesideSaddle * next / (next + std::max(last, 0.0));
+            at[int(SurfaceFans::previousInTriangle(c) % 3)] =
+                kBesideSaddle * std::max(last, 0.0) / (next + std::max(last, 0.0));
+            const glm::dvec2 flow = derivative * way;
+            const double outwards = glm::dot(flow, way);
+            if (std::abs(outwards) < kStraight * glm::length(flow) || outwards == 0) continue;  // It turns here.
+            starts.push_back({{t, at}, outwards > 0 ? 1 : -1});
+        }
+    });
+    return starts;
+}
+
+/// The corner of the triangle that a place is at.
+std::optional<std::uint32_t> cornerAt(const SurfacePlace& place)
+{
+    for (int i = 0; i < 3; ++i)
+        if (place.weight[i] == 1) return 3 * place.triangle + std::uint32_t(i);
+    return {};
+}
+
 }  // namespace
 
 std::vector<Separatrix> separatrices(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
@@ -43,18 +106,19 @@ std::vector<Separatrix> separatrices(const SurfaceMesh& mesh, const SurfaceFans&
     std::vector<std::size_t> saddles;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (points[i].kind == CriticalKind::saddle) saddles.push_back(i);
-    std::vector<Separatrix> all(4 * saddles.size());
+    std::vector<std::vector<Separatrix>> found(saddles.size());
     const SurfaceTracer tracer(mesh, fans, field);
     parallelFor(saddles.size(), [&](std::size_t s) {
         const CriticalPoint& saddle = points[saddles[s]];
-        const FlatTriangle flat(mesh, fans, field, saddle.place.triangle);
-        const std::array<glm::dvec2, 2> along = eigenvectors(flat.derivative());
-        for (std::size_t k = 0; k < 4; ++k) {
-            const int direction = k < 2 ? 1 : -1;
-            const glm::dvec2 way = (k % 2 == 0 ? 1.0 : -1.0) * along[k / 2];
-            all[4 * s + k] = {saddles[s], direction, tracer.trace(beside(flat, saddle, way), direction, longestWorld)};
-        }
+        const auto corner = cornerAt(saddle.place);
+        const std::vector<Start> starts =
+            corner ? startsAroundPoint(mesh, fans, field, *corner)
+                   : startsInTriangle(FlatTriangle(mesh, fans, field, saddle.place.triangle), saddle);
+        for (const Start& start : starts)
+            found[s].push_back({saddles[s], start.direction, tracer.trace(start.place, start.direction, longestWorld)});
     });
+    std::vector<Separatrix> all;
+    for (std::vector<Separatrix>& some : found) std::move(some.begin(), some.end(), std::back_inserter(all));
     return all;
 }
 

@@ -14,7 +14,8 @@ struct Separatrix {
     SurfaceLine line;        ///< From the saddle on.
 };
 
-/// The two separatrices that leave each saddle and the two that run into it, in the order of the points. They end where
+/// The separatrices that leave each saddle and those that run into it, in the order of the points: two and two, unless
+/// the saddle is a point of the mesh, around which the flow is linear in each triangle by itself. They end where
 /// SurfaceTracer's lines end, and after `longestWorld`. Cost: that of the lines, parallel.
 std::vector<Separatrix> separatrices(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
                                      const std::vector<CriticalPoint>& points, double longestWorld);

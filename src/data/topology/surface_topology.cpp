@@ -1,7 +1,9 @@
 #include "data/topology/surface_topology.h"
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
+#include <set>
+#include <utility>
 
 #include "data/topology/separatrices.h"
 
@@ -20,21 +22,44 @@ double sideOf(const SurfaceMesh& mesh, std::uint32_t triangle)
     return longest;
 }
 
-/// The point of no saddle that a line runs into, or comes from.
-std::optional<std::size_t> pointAt(const SurfaceMesh& mesh, const std::vector<CriticalPoint>& points,
-                                   const SurfaceLine& line)
-{
-    if (line.end != LineEnd::rest) return {};
-    const glm::dvec3 endWorld = positionWorld(mesh, line.places.back());
-    std::optional<std::size_t> nearest;
-    double least = kNearSides * sideOf(mesh, line.places.back().triangle);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i].kind == CriticalKind::saddle) continue;
-        const double distance = glm::length(positionWorld(mesh, points[i].place) - endWorld);
-        if (distance <= least) nearest = i, least = distance;
+/// Critical points that lines can end in, by their places.
+class Ends {
+public:
+    Ends(const SurfaceMesh& mesh, const std::vector<CriticalPoint>& points) : mesh_(mesh)
+    {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (points[i].kind != CriticalKind::saddle) ends_.push_back({positionWorld(mesh, points[i].place), i});
+        std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) {
+            return a.atWorld.x < b.atWorld.x || (a.atWorld.x == b.atWorld.x && a.point < b.point);
+        });
     }
-    return nearest;
-}
+
+    /// The one that a line runs into, or comes from.
+    std::optional<std::size_t> of(const SurfaceLine& line) const
+    {
+        if (line.end != LineEnd::rest) return {};
+        const glm::dvec3 at = positionWorld(mesh_, line.places.back());
+        std::optional<std::size_t> nearest;
+        double least = kNearSides * sideOf(mesh_, line.places.back().triangle);
+        const double reach = least;
+        auto end = std::lower_bound(ends_.begin(), ends_.end(), at.x - reach,
+                                    [](const End& each, double x) { return each.atWorld.x < x; });
+        for (; end != ends_.end() && end->atWorld.x <= at.x + reach; ++end) {
+            const double distance = glm::length(end->atWorld - at);
+            if (distance < least || (distance == least && (!nearest || end->point < *nearest)))
+                nearest = end->point, least = distance;
+        }
+        return nearest;
+    }
+
+private:
+    struct End {
+        glm::dvec3 atWorld;
+        std::size_t point;
+    };
+    const SurfaceMesh& mesh_;
+    std::vector<End> ends_;
+};
 
 double lengthOf(const SurfaceMesh& mesh, const std::vector<SurfacePlace>& places)
 {
@@ -52,12 +77,13 @@ void append(std::vector<SurfacePlace>& places, const std::vector<SurfacePlace>& 
 std::vector<TopologyLine> linesOf(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
                                   const std::vector<CriticalPoint>& points, double longestWorld)
 {
+    const Ends ends(mesh, points);
     std::vector<TopologyLine> lines;
     for (const Separatrix& separatrix : separatrices(mesh, fans, field, points, longestWorld)) {
         TopologyLine line{separatrix.saddle, {}, separatrix.direction, 0, {}};
         line.places.push_back(points[separatrix.saddle].place);
         append(line.places, separatrix.line.places);
-        line.other = pointAt(mesh, points, separatrix.line);
+        line.other = ends.of(separatrix.line);
         if (line.other) line.places.push_back(points[*line.other].place);
         line.lengthWorld = lengthOf(mesh, line.places);
         lines.push_back(std::move(line));
@@ -65,55 +91,72 @@ std::vector<TopologyLine> linesOf(const SurfaceMesh& mesh, const SurfaceFans& fa
     return lines;
 }
 
-/// Takes pairs of points out that cancel each other.
+/// Takes pairs of points out that cancel each other, the nearest first.
 class Cancellation {
 public:
-    Cancellation(SurfaceTopology& topology, double leastWorld) : all_(topology), leastWorld_(leastWorld) {}
+    Cancellation(SurfaceTopology& topology, double leastWorld, double longestWorld)
+        : all_(topology),
+          leastWorld_(leastWorld),
+          longestWorld_(longestWorld),
+          ofSaddle_(topology.points.size()),
+          atPoint_(topology.points.size()),
+          gone_(topology.points.size(), false)
+    {
+        for (std::size_t i = 0; i < all_.lines.size(); ++i) {
+            ofSaddle_[all_.lines[i].saddle].push_back(i);
+            enlist(i);
+        }
+    }
 
     void run()
     {
-        gone_.assign(all_.points.size(), false);
-        while (const std::optional<std::size_t> shortest = shortestLine()) cancel(*shortest);
+        while (!waiting_.empty()) {
+            const auto [lengthWorld, i] = *waiting_.begin();
+            waiting_.erase(waiting_.begin());
+            const TopologyLine& line = all_.lines[i];
+            if (lengthWorld == line.lengthWorld && mayCancel(line)) cancel(i);
+        }
         tidy();
     }
 
 private:
-    /// The shortest line between two points that may cancel: not those that are joined twice, which would leave a
-    /// closed line without a point.
-    std::optional<std::size_t> shortestLine() const
+    void enlist(std::size_t i)
     {
-        std::optional<std::size_t> best;
-        for (std::size_t i = 0; i < all_.lines.size(); ++i) {
-            const TopologyLine& line = all_.lines[i];
-            if (!isThere(line) || !line.other || line.lengthWorld > leastWorld_) continue;
-            if (all_.points[*line.other].index != 1 || isJoinedTwice(line)) continue;
-            if (!best || line.lengthWorld < all_.lines[*best].lengthWorld) best = i;
-        }
-        return best;
+        const TopologyLine& line = all_.lines[i];
+        if (!line.other) return;
+        atPoint_[*line.other].push_back(i);
+        waiting_.emplace(line.lengthWorld, i);
     }
-    bool isThere(const TopologyLine& line) const { return !gone_[line.saddle]; }
-    bool isJoinedTwice(const TopologyLine& line) const
+
+    /// Not those that are joined twice, which would leave a closed line without a point.
+    bool mayCancel(const TopologyLine& line) const
     {
-        return std::count_if(all_.lines.begin(), all_.lines.end(), [&](const TopologyLine& other) {
-                   return other.saddle == line.saddle && other.other == line.other;
-               }) > 1;
+        if (gone_[line.saddle] || !line.other || gone_[*line.other] || line.lengthWorld > leastWorld_) return false;
+        const auto joins = [&](std::size_t i) { return all_.lines[i].other == line.other; };
+        const std::vector<std::size_t>& own = ofSaddle_[line.saddle];
+        return all_.points[*line.other].index == 1 && std::count_if(own.begin(), own.end(), joins) == 1;
     }
 
     void cancel(std::size_t which)
     {
         const TopologyLine between = all_.lines[which];
-        const auto beyond = std::find_if(all_.lines.begin(), all_.lines.end(), [&](const TopologyLine& line) {
-            return line.saddle == between.saddle && line.direction == between.direction && line.other != between.other;
+        const std::vector<std::size_t>& own = ofSaddle_[between.saddle];
+        const auto other = std::find_if(own.begin(), own.end(), [&](std::size_t i) {
+            return i != which && all_.lines[i].direction == between.direction;
         });
-        for (TopologyLine& line : all_.lines) {
-            if (!isThere(line) || line.saddle == between.saddle || line.other != between.other) continue;
+        gone_[between.saddle] = gone_[*between.other] = true;
+        for (const std::size_t i : std::vector(atPoint_[*between.other])) {
+            TopologyLine& line = all_.lines[i];
+            if (gone_[line.saddle] || line.other != between.other) continue;
             extend(line, {between.places.rbegin(), between.places.rend()}, between.lengthWorld);
             line.other.reset();
-            if (beyond == all_.lines.end()) continue;
-            extend(line, beyond->places, beyond->lengthWorld);
-            line.other = beyond->other;
+            if (other != own.end() && line.lengthWorld <= longestWorld_) {
+                extend(line, all_.lines[*other].places, all_.lines[*other].lengthWorld);
+                line.other = all_.lines[*other].other;
+            }
+            // What its saddle is joined with by others may be joined once now.
+            for (const std::size_t each : ofSaddle_[line.saddle]) enlist(each);
         }
-        gone_[between.saddle] = gone_[*between.other] = true;
     }
     static void extend(TopologyLine& line, const std::vector<SurfacePlace>& more, double lengthWorld)
     {
@@ -129,7 +172,7 @@ private:
             newNumber.push_back(kept.size());
             if (!gone_[i]) kept.push_back(all_.points[i]);
         }
-        std::erase_if(all_.lines, [&](const TopologyLine& line) { return !isThere(line); });
+        std::erase_if(all_.lines, [&](const TopologyLine& line) { return gone_[line.saddle]; });
         for (TopologyLine& line : all_.lines) {
             line.saddle = newNumber[line.saddle];
             if (line.other) line.other = newNumber[*line.other];
@@ -138,9 +181,20 @@ private:
     }
 
     SurfaceTopology& all_;
-    double leastWorld_;
+    double leastWorld_, longestWorld_;
+    std::vector<std::vector<std::size_t>> ofSaddle_, atPoint_;  // [points] Lines that begin and that end there.
     std::vector<bool> gone_;
+    std::set<std::pair<double, std::size_t>> waiting_;  // Lines by their lengths.
 };
+
+/// The diagonal of the box of all points that have flow.
+double sizeWithFlow(const SurfaceMesh& mesh, const std::vector<glm::vec3>& vectors)
+{
+    Bounds box;
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        if (std::isfinite(glm::length(glm::dvec3(vectors[i])))) box.add(glm::dvec3(mesh.positions[i]));
+    return box.empty() ? 0 : glm::length(box.hi - box.lo);
+}
 
 }  // namespace
 
@@ -149,12 +203,11 @@ SurfaceTopology surfaceTopology(const SurfaceMesh& mesh, const std::vector<glm::
 {
     const SurfaceFans fans = surfaceFans(mesh);
     const TangentField field = tangentField(mesh, fans, vectors);
-    const Bounds box = mesh.bounds();
-    const double size = glm::length(box.hi - box.lo);
+    const double size = sizeWithFlow(mesh, vectors);
     SurfaceTopology topology;
     topology.points = criticalPoints(mesh, fans, field);
     topology.lines = linesOf(mesh, fans, field, topology.points, options.longest * size);
-    Cancellation(topology, options.persistence * size).run();
+    Cancellation(topology, options.persistence * size, options.longest * size).run();
     return topology;
 }
 

@@ -29,7 +29,8 @@ struct SurfaceTopology {
 
 struct TopologyOptions {
     /// A saddle and a point that it is joined with cancel each other where they are no farther apart along the line
-    /// than this, as a part of the surface's size (the diagonal of its box): so noise of the data goes. 0: all stay.
+    /// than this, as a part of the surface's size (the diagonal of the box of the points that have flow): so noise of
+    /// the data goes. 0: all stay.
     double persistence = 0.01;
     /// Lines are no longer than this many times that size.
     double longest = 4;

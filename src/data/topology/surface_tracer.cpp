@@ -81,11 +81,10 @@ void SurfaceTracer::add(Walk& walk) const
 std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk, double longestWorld) const
 {
     const std::uint32_t t = walk.at.triangle;
-    for (std::uint32_t c = 3 * t; c < 3 * t + 3; ++c)
-        if (!std::isfinite(field_.length[fans_.fanOf[c]])) {
-            walk.line.end = LineEnd::masked;
-            return {};
-        }
+    if (field_.masked[t]) {
+        walk.line.end = LineEnd::masked;
+        return {};
+    }
     const FlatTriangle flat(mesh_, fans_, field_, t);
     const glm::dmat2 derivative = flat.derivative();
     const double change = std::sqrt(glm::dot(derivative[0], derivative[0]) + glm::dot(derivative[1], derivative[1]));

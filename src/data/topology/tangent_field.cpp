@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "base/parallel.h"
@@ -83,23 +82,34 @@ private:
 
 TangentField tangentField(const SurfaceMesh& mesh, const SurfaceFans& fans, const std::vector<glm::vec3>& vectors)
 {
-    TangentField field{std::vector<double>(fans.fans()), std::vector<double>(fans.fans())};
+    TangentField field{std::vector<double>(fans.fans()), std::vector<double>(fans.fans()),
+                       std::vector<std::uint8_t>(mesh.triangles.size())};
     double longest = 0;
     for (const glm::vec3& vector : vectors)
         if (const double length = glm::length(glm::dvec3(vector)); std::isfinite(length))
             longest = std::max(longest, length);
     parallelRanges(fans.fans(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (auto fan = std::uint32_t(begin); fan < end; ++fan) {
-            glm::dvec3 vector(std::numeric_limits<double>::quiet_NaN());
+            glm::dvec3 sum(0);
+            double angles = 0;
             forEachCorner(fans, fan, [&](std::uint32_t c) {
-                if (!std::isfinite(glm::length(vector))) vector = glm::dvec3(vectors[mesh.triangles[c / 3][c % 3]]);
+                const glm::dvec3 own(vectors[mesh.triangles[c / 3][c % 3]]);
+                if (!std::isfinite(glm::length(own))) return;
+                sum += fans.cornerRad[c] * own;
+                angles += fans.cornerRad[c];
             });
+            const glm::dvec3 vector = sum / angles;  // NaN where none is finite.
             const FanFrame frame(mesh, fans, fan);
             const glm::dvec3 along = frame.along(vector);
             const double length = glm::length(along);
             field.length[fan] = length <= kAtRest * longest ? 0 : length;
             field.rad[fan] = std::isfinite(length) && field.length[fan] > 0 ? frame.radOf(along) : 0;
         }
+    });
+    parallelRanges(mesh.triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            for (const std::uint32_t corner : mesh.triangles[t])
+                field.masked[t] |= std::uint8_t(!std::isfinite(glm::length(glm::dvec3(vectors[corner]))));
     });
     return field;
 }

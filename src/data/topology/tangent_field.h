@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -9,12 +10,13 @@ namespace aeolic {
 
 /// The tangential part of a vector at each fan of a surface: angle in the fan, and length.
 struct TangentField {
-    std::vector<double> rad;     ///< [fans] as SurfaceFans::edgeRad counts.
-    std::vector<double> length;  ///< [fans] 0: at rest; NaN: masked.
+    std::vector<double> rad;           ///< [fans] as SurfaceFans::edgeRad counts.
+    std::vector<double> length;        ///< [fans] 0: at rest; NaN: masked.
+    std::vector<std::uint8_t> masked;  ///< [triangles] One of its own corners has no vector: no line enters it.
 };
 
-/// `vectors`: [points of the mesh] in the world's axes. Points in the same place take the first one's that is finite
-/// among the fan's corners. Cost: O(triangles), parallel.
+/// `vectors`: [points of the mesh] in the world's axes. A fan has the mean of those of its corners that are finite, by
+/// the triangles' angles there. Cost: O(triangles), parallel.
 TangentField tangentField(const SurfaceMesh& mesh, const SurfaceFans& fans, const std::vector<glm::vec3>& vectors);
 
 }  // namespace aeolic

@@ -24,7 +24,7 @@ class AdfFile {
 public:
     explicit AdfFile(const std::string& path) : path_(path)
     {
-        checkReadableFile(path);
+        bytes_ = checkReadableFile(path);
         const Hdf5Lock lock;
         cgio_error_abort(0);
         sound(cgio_open_file(path.c_str(), CGIO_MODE_READ, CGIO_FILE_ADF, &number_));
@@ -39,6 +39,7 @@ public:
 
     int number() const { return number_; }
     const std::string& path() const { return path_; }
+    std::uint64_t bytes() const { return bytes_; }
 
     /// Throws what the library says of a call that failed.
     void sound(int status) const
@@ -52,6 +53,7 @@ public:
 
 private:
     std::string path_;
+    std::uint64_t bytes_ = 0;
     int number_ = 0;
 };
 
@@ -138,7 +140,13 @@ private:
         if (!isWithin({first, count}, shape_))
             throw InputError(file(), fmt::format("'{}' has fewer numbers than are to be read", name_),
                              "a complete, undamaged file");
-        const std::uint64_t all = productOf(count);
+        // ADF packs nothing. So a file has all that its nodes claim to hold.
+        std::uint64_t all = bytesOf(*type_);
+        for (const std::uint64_t length : count)
+            if (__builtin_mul_overflow(all, length, &all) || all > file_->bytes())
+                throw InputError(file(), fmt::format("'{}' claims to hold more than the file", name_),
+                                 "a complete, undamaged file");
+        all /= bytesOf(*type_);
         to.resize(all);
         if (all == 0) return;
         std::vector<std::uint8_t> bytes(all * bytesOf(*type_));

@@ -34,6 +34,7 @@ std::array<int, 2> cellsWithin(vtkImageData& grid, int axis, double lo, double h
     const int cells = std::max(grid.GetDimensions()[axis] - 1, 1);
     const double width = grid.GetSpacing()[axis], first = grid.GetOrigin()[axis] + grid.GetExtent()[2 * axis] * width;
     if (grid.GetDimensions()[axis] < 2) return {0, 1};  // A flat grid.
+    if (!(width > 0) || !std::isfinite(width) || !std::isfinite(first)) return {0, 0};
     const auto at = [&](double place) { return (place - first) / width - 0.5; };
     const double begin = std::ceil(at(lo) + kSlack), end = std::floor(at(hi) - kSlack) + 1;
     return {int(std::clamp(begin, 0.0, double(cells))), int(std::clamp(end, 0.0, double(cells)))};
@@ -63,9 +64,10 @@ void hideRefined(const std::vector<LeveledBlock>& blocks)
 {
     for (const LeveledBlock& coarse : blocks)
         for (const LeveledBlock& fine : blocks) {
+            if (fine.level <= coarse.level) continue;
             auto* const grid = vtkImageData::SafeDownCast(coarse.data);
             auto* const over = vtkImageData::SafeDownCast(fine.data);
-            if (!grid || !over || fine.level <= coarse.level || over->GetNumberOfCells() == 0) continue;
+            if (!grid || !over || over->GetNumberOfCells() == 0) continue;
             double bounds[6];
             over->GetBounds(bounds);
             hideWithin(*grid, bounds);

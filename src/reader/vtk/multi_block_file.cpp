@@ -98,7 +98,7 @@ public:
             blocks->SetBlock(number, data);
             blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), parts_[part].name.c_str());
         }
-        hideRefined(leveled);
+        if (leveled.size() > 1 && leveled.back().level != kNoLevel) hideRefined(leveled);
         return blocks;
     }
 

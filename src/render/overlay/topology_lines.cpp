@@ -6,7 +6,7 @@ namespace {
 using Rgb8 = std::array<std::uint8_t, 3>;
 
 // Of Okabe and Ito, "Color universal design" (2008): vermilion and, darker, blue.
-constexpr Rgb8 kTo{213, 94, 0}, kFrom{0, 84, 150}, kSaddle{20, 20, 20}, kCasing{255, 255, 255};
+constexpr Rgb8 kTo{213, 94, 0}, kFrom{0, 84, 150}, kNeither{20, 20, 20}, kCasing{255, 255, 255};
 
 MarkShape shapeOf(CriticalKind kind)
 {
@@ -32,17 +32,18 @@ std::vector<SurfaceLines::Style> topologyLines(const SurfaceTopology& topology, 
         return glm::vec3(positionWorld(mesh, place) - mesh.originWorld);
     };
     SurfaceLines::Style from{{.color = kFrom, .casing = kCasing}, {}, {}},
-        to{{.color = kTo, .casing = kCasing}, {}, {}}, saddles{{.color = kSaddle, .casing = kCasing}, {}, {}};
+        to{{.color = kTo, .casing = kCasing}, {}, {}}, neither{{.color = kNeither, .casing = kCasing}, {}, {}};
     for (const TopologyLine& line : topology.lines) {
         std::vector<glm::vec3> points;
         for (const SurfacePlace& place : line.places) points.push_back(positionOf(place));
         (line.direction > 0 ? to : from).lines.push_back(std::move(points));
     }
     for (const CriticalPoint& point : topology.points) {
-        SurfaceLines::Style& style = point.kind == CriticalKind::saddle ? saddles : point.attracts ? to : from;
+        const bool isEnd = point.kind == CriticalKind::node || point.kind == CriticalKind::focus;
+        SurfaceLines::Style& style = !isEnd ? neither : point.attracts ? to : from;
         style.marks.push_back({positionOf(point.place), shapeOf(point.kind)});
     }
-    return {std::move(from), std::move(to), std::move(saddles)};
+    return {std::move(from), std::move(to), std::move(neither)};
 }
 
 }  // namespace aeolic
