@@ -147,7 +147,7 @@ TEST(SurfaceTopology, AMaskedTriangleStaysMasked)
     EXPECT_EQ(topology.points.empty() ? 9u : topology.points[0].place.triangle, 0u);
 }
 
-/// Noise of ten thousand pairs takes a moment, not hours.
+/// Noise three times as strong as the flow, in 60,000 triangles, takes a moment, not hours.
 TEST(SurfaceTopology, MuchNoiseCancels)
 {
     const SurfaceMesh sphere = makeBuiltinSurface("sphere:60000");
