@@ -52,11 +52,10 @@ py::tuple linesOf(const FlowTopology& topology)
 
 py::dict pointsOf(const FlowTopology& topology)
 {
-    static constexpr const char* kKinds[] = {"node", "focus", "centre", "saddle", "multiple"};
     const std::vector<FlowPoint>& points = topology.points;
     py::dict told;
     py::list kinds;
-    for (const FlowPoint& point : points) kinds.append(kKinds[std::size_t(point.kind)]);
+    for (const FlowPoint& point : points) kinds.append(nameOf(point.kind));
     told["positions"] = vectorsOf(points, [](const FlowPoint& p) { return p.at.position; });
     told["kinds"] = py::tuple(kinds);
     told["attracts"] = numbersOf(points, [](const FlowPoint& p) { return std::int64_t(attraction(p)); });

@@ -6,7 +6,7 @@
 
 namespace aeolic::python {
 
-/// What aeolic/_topology.py is made of.
+/// Adds the class that aeolic/_topology.py wraps.
 void addTopology(pybind11::module_& module);
 
 }  // namespace aeolic::python

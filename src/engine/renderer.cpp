@@ -16,6 +16,7 @@
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
+#include "engine/flow_topology.h"
 #include "engine/renderer_internals.h"
 #include "engine/renderer_state.h"
 #include "engine/tile_picture.h"

@@ -1,62 +1,11 @@
 #include "engine/scene_overlay.h"
 
-#include <limits>
-
 #include "aeolic/error.h"
-#include "data/surface_range.h"
 #include "data/topology/point_flow.h"
 #include "data/topology/surface_topology.h"
 #include "render/overlay/topology_lines.h"
 
 namespace aeolic {
-namespace {
-
-SurfaceTopology topologyOf(const PointFlow& flow, double persistence)
-{
-    return surfaceTopology(flow.mesh, flow.vectors, {.persistence = persistence});
-}
-
-/// What a scene has at places of the surface.
-class Values {
-public:
-    Values(const Scene& scene, const PointFlow& flow) : scene_(scene), flow_(flow) {}
-
-    SurfaceValues at(const SurfacePlace& place) const
-    {
-        const glm::dvec3 position = positionWorld(flow_.mesh, place);
-        const auto& corners = flow_.mesh.triangles[place.triangle];
-        glm::dvec3 vector(0);
-        for (int i = 0; i < 3; ++i) vector += place.weight[i] * glm::dvec3(flow_.vectors[corners[std::size_t(i)]]);
-        return {
-            {position.x, position.y, position.z}, {vector.x, vector.y, vector.z}, scalarAt(place, position, vector)};
-    }
-
-private:
-    double scalarAt(const SurfacePlace& place, const glm::dvec3& position, const glm::dvec3& vector) const
-    {
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        const SurfaceMesh& mesh = flow_.mesh;
-        const SceneSurface* const surface =
-            mesh.surfaceOf.empty() ? nullptr : &scene_.surfaces[mesh.surfaceOf[mesh.triangles[place.triangle][0]]];
-        if (!scene_.hasScalar || (surface && surface->colors != 0)) return none;  // Colours of another array.
-        if (scene_.scalarFromField() && !(surface && surface->ownScalar)) {
-            if (scene_.colorByFieldMagnitude) return glm::length(vector);
-            const FieldVector found = vectorAt(*scene_.scalarField, position);
-            return found.inside ? found.vector.x : none;
-        }
-        if (!mesh.cellScalars.empty()) return mesh.cellScalars[place.triangle];
-        if (mesh.pointScalars.empty()) return none;
-        double sum = 0;
-        for (int i = 0; i < 3; ++i)
-            sum += place.weight[i] * double(mesh.pointScalars[mesh.triangles[place.triangle][std::size_t(i)]]);
-        return sum;
-    }
-
-    const Scene& scene_;
-    const PointFlow& flow_;
-};
-
-}  // namespace
 
 void requireWhole(const Scene& scene, const char* option)
 {
@@ -70,30 +19,13 @@ void requireOverlay(const ShadingOptions& shading, const Scene& scene)
     if (shading.overlay != Overlay::none) requireWhole(scene, "--overlay");
 }
 
-FlowTopology flowTopology(const Scene& scene, double persistence)
-{
-    const PointFlow flow = pointFlow(scene);
-    const SurfaceTopology found = topologyOf(flow, persistence);
-    const Values values(scene, flow);
-    FlowTopology topology;
-    topology.scalar = scene.hasScalar ? scene.scalarName : "";
-    for (const CriticalPoint& point : found.points)
-        topology.points.push_back(
-            {values.at(point.place), CriticalPointKind(point.kind), point.attracts, point.index, point.strength});
-    for (const TopologyLine& line : found.lines) {
-        FlowLine out{line.saddle, line.other, line.direction > 0, line.lengthWorld, {}};
-        for (const SurfacePlace& place : line.places) out.places.push_back(values.at(place));
-        topology.lines.push_back(std::move(out));
-    }
-    return topology;
-}
-
 std::shared_ptr<const SurfaceOverlay> SceneOverlay::of(const ShadingOptions& shading, const Scene& scene)
 {
     if (shading.overlay == Overlay::none) return nullptr;
     if (known_ && persistence_ == shading.persistence) return known_;
     const PointFlow flow = pointFlow(scene);
-    known_ = std::make_shared<SurfaceLines>(topologyLines(topologyOf(flow, shading.persistence), flow.mesh));
+    const SurfaceTopology topology = surfaceTopology(flow.mesh, flow.vectors, {.persistence = shading.persistence});
+    known_ = std::make_shared<SurfaceLines>(topologyLines(topology, flow.mesh));
     persistence_ = shading.persistence;
     return known_;
 }

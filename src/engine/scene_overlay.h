@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "aeolic/topology.h"
 #include "data/scene.h"
 #include "render/surface_overlay.h"
 
@@ -13,9 +12,6 @@ void requireWhole(const Scene& scene, const char* option);
 
 /// Throws InputError where the scene cannot have the overlay that the options ask for.
 void requireOverlay(const ShadingOptions& shading, const Scene& scene);
-
-/// What the overlay draws, as numbers. The scene is whole.
-FlowTopology flowTopology(const Scene& scene, double persistence);
 
 /// What the options lay over a scene's surface. It is found once, and kept while the data and its options stay.
 class SceneOverlay {

@@ -73,6 +73,12 @@ std::string csvText(const std::string& text)
 
 }  // namespace
 
+const char* nameOf(CriticalPointKind kind)
+{
+    static constexpr const char* names[] = {"node", "focus", "centre", "saddle", "multiple"};
+    return names[std::size_t(kind)];
+}
+
 int attraction(const FlowPoint& point)
 {
     const bool isEither = point.kind == CriticalPointKind::node || point.kind == CriticalPointKind::focus;
@@ -129,8 +135,6 @@ std::string topologyVtp(const FlowTopology& topology)
 
 std::string topologyCsv(const FlowTopology& topology)
 {
-    static constexpr const char* kNames[] = {"node",     "focus",      "centre",    "saddle",
-                                             "multiple", "separation", "attachment"};
     const bool hasScalar = !topology.scalar.empty();
     std::string text = "line,type,attracts,index,strength,length,x,y,z,vector x,vector y,vector z";
     text += hasScalar ? "," + csvText(topology.scalar) + "\n" : "\n";
@@ -140,14 +144,14 @@ std::string topologyCsv(const FlowTopology& topology)
         text += hasScalar ? fmt::format(",{}\n", at.scalar) : "\n";
     };
     for (const FlowPoint& point : topology.points) {
-        text += fmt::format(",{},{},{},{},0", kNames[typeOf(point)], attraction(point), point.index, point.strength);
+        text += fmt::format(",{},{},{},{},0", nameOf(point.kind), attraction(point), point.index, point.strength);
         addPlace(point.at);
     }
     for (std::size_t i = 0; i < topology.lines.size(); ++i) {
         const FlowLine& line = topology.lines[i];
         for (const SurfaceValues& place : line.places) {
-            text += fmt::format("{},{},0,0,{},{}", i, kNames[typeOf(line)], topology.points[line.saddle].strength,
-                                line.length);
+            text += fmt::format("{},{},0,0,{},{}", i, line.separates ? "separation" : "attachment",
+                                topology.points[line.saddle].strength, line.length);
             addPlace(place);
         }
     }

@@ -6,6 +6,9 @@
 
 namespace aeolic {
 
+/// "node", "focus", "centre", "saddle" or "multiple".
+const char* nameOf(CriticalPointKind kind);
+
 /// 1 where streamlines run into the point, -1 where they come out of it. A saddle, a centre and a point of a higher
 /// kind have both: 0.
 int attraction(const FlowPoint& point);
@@ -16,8 +19,8 @@ int attraction(const FlowPoint& point);
 /// `vectors`, and the scalar by its name.
 std::string topologyVtp(const FlowTopology& topology);
 
-/// The same as comma-separated values with a heading: a row for each critical point, with no line; then a row for each
-/// place of each line, with the line's number from 0.
+/// A topology as comma-separated values with a heading. Critical points have a row each, in which the column `line` is
+/// empty. The places of all lines follow, a row each, with the line's number from 0.
 std::string topologyCsv(const FlowTopology& topology);
 
 }  // namespace aeolic

@@ -4,13 +4,13 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "aeolic/topology.h"
 #include "data/topology/surface_place.h"
 #include "data/topology/tangent_field.h"
 
 namespace aeolic {
 
-/// What the flow does around a critical point of a surface.
-enum class CriticalKind { node, focus, centre, saddle, multiple };
+using CriticalKind = CriticalPointKind;
 
 /// A point of a surface where the flow along it vanishes.
 struct CriticalPoint {

@@ -23,7 +23,7 @@ struct FlatTriangle {
     {
         return weight.x * flow[0] + weight.y * flow[1] + weight.z * flow[2];
     }
-    /// Of a place in the plane, inside or outside.
+    /// The weights of a place in the plane. Outside of the triangle some are below 0.
     glm::dvec3 weightsOf(const glm::dvec2& place) const;
     /// The flow's derivative.
     glm::dmat2 derivative() const;

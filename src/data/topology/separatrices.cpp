@@ -55,8 +55,8 @@ std::vector<Start> startsInTriangle(const FlatTriangle& flat, const CriticalPoin
     return starts;
 }
 
-/// Of a saddle at a point of the mesh: in each triangle around it those of its two directions that lead into it. One
-/// along a side belongs to the triangle that begins there.
+/// The starts of a saddle that is a point of the mesh. Each triangle around the point has directions of its own, and
+/// takes those that lead into it. A direction along a side belongs to the triangle of which it is the first side.
 std::vector<Start> startsAroundPoint(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
                                      std::uint32_t corner)
 {

@@ -104,7 +104,8 @@ public:
     {
         for (std::size_t i = 0; i < all_.lines.size(); ++i) {
             ofSaddle_[all_.lines[i].saddle].push_back(i);
-            enlist(i);
+            if (all_.lines[i].other) atPoint_[*all_.lines[i].other].push_back(i);
+            wait(i);
         }
     }
 
@@ -120,12 +121,9 @@ public:
     }
 
 private:
-    void enlist(std::size_t i)
+    void wait(std::size_t i)
     {
-        const TopologyLine& line = all_.lines[i];
-        if (!line.other) return;
-        atPoint_[*line.other].push_back(i);
-        waiting_.emplace(line.lengthWorld, i);
+        if (all_.lines[i].other) waiting_.emplace(all_.lines[i].lengthWorld, i);
     }
 
     /// Not those that are joined twice, which would leave a closed line without a point.
@@ -154,8 +152,9 @@ private:
                 extend(line, all_.lines[*other].places, all_.lines[*other].lengthWorld);
                 line.other = all_.lines[*other].other;
             }
-            // What its saddle is joined with by others may be joined once now.
-            for (const std::size_t each : ofSaddle_[line.saddle]) enlist(each);
+            if (line.other) atPoint_[*line.other].push_back(i);
+            // A point that two of its saddle's lines ended in may have one of them left.
+            for (const std::size_t each : ofSaddle_[line.saddle]) wait(each);
         }
     }
     static void extend(TopologyLine& line, const std::vector<SurfacePlace>& more, double lengthWorld)

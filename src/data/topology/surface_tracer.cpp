@@ -23,8 +23,8 @@ constexpr double kAtCorner = 1e-9, kIntoTriangle = 1e-6;
 /// it so many times.
 constexpr double kSamePlace = 1e-3;
 constexpr std::size_t kMostCrossings = 100;
-/// In one triangle; there is a focus in it that the line nears so slowly, or it is thin and the flow turns in it. And
-/// triangles on a line.
+/// The most steps in one triangle, and the most triangles on a line. A line takes many steps in a triangle where it
+/// nears a focus slowly, or where the triangle is thin and the flow in it turns.
 constexpr int kMostSteps = 1 << 12, kMostTriangles = 1 << 20;
 
 double longestSide(const FlatTriangle& flat)

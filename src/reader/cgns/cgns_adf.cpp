@@ -116,21 +116,9 @@ public:
     std::optional<NumberType> type() const override { return hasValue() ? type_ : std::nullopt; }
     std::vector<std::uint64_t> shape() const override { return shape_; }
 
-    void read(const Places& first, const Places& count, std::vector<float>& to) const override
+    void read(const Places& first, const Places& count, const Target& target) const override
     {
-        readAs(first, count, to);
-    }
-    void read(const Places& first, const Places& count, std::vector<double>& to) const override
-    {
-        readAs(first, count, to);
-    }
-    void read(const Places& first, const Places& count, std::vector<std::int64_t>& to) const override
-    {
-        readAs(first, count, to);
-    }
-    void read(const Places& first, const Places& count, std::vector<std::int8_t>& to) const override
-    {
-        readAs(first, count, to);
+        std::visit([&](auto* to) { readAs(first, count, *to); }, target);
     }
 
 private:

@@ -11,7 +11,7 @@ namespace {
 
 using Wholes = std::vector<std::int64_t>;
 
-/// Of damaged lengths it is the largest number there is.
+/// The product of all lengths. Where it has no room, as that of damaged lengths, it is the largest number that has.
 std::int64_t productOf(const Wholes& lengths)
 {
     std::int64_t product = 1;

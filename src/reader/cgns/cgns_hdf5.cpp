@@ -35,7 +35,7 @@ private:
     std::map<std::string, Hdf5Object> open_;
 };
 
-/// As CGNS lays a node out in HDF5: a group with a label, whose value is the data set " data".
+/// A node of a CGNS file in HDF5. It is a group with a label, and its value is the data set " data".
 class Hdf5Node final : public CgnsObject {
 public:
     Hdf5Node(std::shared_ptr<Files> files, Hdf5Object object)
@@ -69,21 +69,9 @@ public:
         return {data->shape().rbegin(), data->shape().rend()};
     }
 
-    void read(const Places& first, const Places& count, std::vector<float>& to) const override
+    void read(const Places& first, const Places& count, const Target& target) const override
     {
-        readAs(first, count, to);
-    }
-    void read(const Places& first, const Places& count, std::vector<double>& to) const override
-    {
-        readAs(first, count, to);
-    }
-    void read(const Places& first, const Places& count, std::vector<std::int64_t>& to) const override
-    {
-        readAs(first, count, to);
-    }
-    void read(const Places& first, const Places& count, std::vector<std::int8_t>& to) const override
-    {
-        readAs(first, count, to);
+        std::visit([&](auto* to) { readAs(first, count, *to); }, target);
     }
 
 private:

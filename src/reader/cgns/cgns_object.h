@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "reader/binary/numbers.h"
@@ -28,12 +29,12 @@ public:
     virtual std::optional<NumberType> type() const = 0;    ///< Of the value; nothing where it is no numbers.
     virtual std::vector<std::uint64_t> shape() const = 0;  ///< Of the value, fastest first, as CGNS says it.
 
+    /// Where numbers go, and which kind they become.
+    using Target =
+        std::variant<std::vector<float>*, std::vector<double>*, std::vector<std::int64_t>*, std::vector<std::int8_t>*>;
     using Places = std::vector<std::uint64_t>;
     /// A block of the value, fastest first. Throws where it goes beyond the value. There is a value.
-    virtual void read(const Places& first, const Places& count, std::vector<float>& to) const = 0;
-    virtual void read(const Places& first, const Places& count, std::vector<double>& to) const = 0;
-    virtual void read(const Places& first, const Places& count, std::vector<std::int64_t>& to) const = 0;
-    virtual void read(const Places& first, const Places& count, std::vector<std::int8_t>& to) const = 0;
+    virtual void read(const Places& first, const Places& count, const Target& target) const = 0;
 };
 
 /// The root of a CGNS file in HDF5, or in ADF, the form of files before. Throws InputError.

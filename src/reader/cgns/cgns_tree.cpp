@@ -52,7 +52,7 @@ std::vector<Number> CgnsNode::whole() const
 {
     const std::vector<std::uint64_t> count = shape(), first(count.size(), 0);
     std::vector<Number> values;
-    object_->read(first, count, values);
+    object_->read(first, count, &values);
     return values;
 }
 
@@ -93,7 +93,7 @@ std::vector<Number> CgnsNode::read(std::vector<std::uint64_t> first, std::vector
 {
     if (!hasValue()) fail("it holds nothing", "numbers");
     std::vector<Number> values;
-    object_->read(first, count, values);
+    object_->read(first, count, &values);
     return values;
 }
 

@@ -5,7 +5,7 @@ namespace {
 
 using Rgb8 = std::array<std::uint8_t, 3>;
 
-// Of Okabe and Ito, "Color universal design" (2008): vermilion and, darker, blue.
+// The vermilion and the blue, made darker, of Okabe and Ito, "Color universal design" (2008).
 constexpr Rgb8 kTo{213, 94, 0}, kFrom{0, 84, 150}, kNeither{20, 20, 20}, kCasing{255, 255, 255};
 
 MarkShape shapeOf(CriticalKind kind)

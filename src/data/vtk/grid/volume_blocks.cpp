@@ -19,8 +19,8 @@ namespace aeolic {
 
 namespace {
 
-/// What is put together keeps the arrays that all have. So where one hides cells or points, the others say that they
-/// hide none.
+/// Volumes that are put together keep only the arrays that all of them have. So where one volume hides cells or points,
+/// the others get flags that hide none.
 void shareFlags(const std::vector<vtkDataSet*>& volumes, bool onPoints)
 {
     const char* const name = vtkDataSetAttributes::GhostArrayName();
