@@ -11,7 +11,7 @@ find_package(ZLIB REQUIRED)
 find_package(Boost 1.74 REQUIRED)  # Only headers: Asio and Beast.
 find_package(OpenSSL REQUIRED)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOXML IOLegacy IOGeometry IOPLY
-    IOImage IOParallelXML IOXMLParser FiltersCore FiltersGeometry FiltersGeneral)
+    IOImage IOEnSight IOParallelXML IOXMLParser FiltersCore FiltersGeometry FiltersGeneral)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)

@@ -60,16 +60,16 @@ def main():
         def is_of_others(path):
             return (path.suffix in (".json", ".xml", ".csv", ".raw", ".sh") or path.match("fluent*.dat")
                     or path.is_dir() and not (path / "constant").is_dir() and not (path / "processor0").is_dir())
-        seeds = sorted(path for path in folder.iterdir() if not is_of_others(path))
+        seeds = sorted([*(path for path in folder.iterdir() if not is_of_others(path)), *folder.glob("*/*.case")])
         with concurrent.futures.ThreadPoolExecutor(max(2, (os.cpu_count() or 2) // 2)) as pool:
-            asked = list(pool.map(lambda path: proposals(folder, path.name), seeds))
+            asked = list(pool.map(lambda path: proposals(folder, str(path.relative_to(folder))), seeds))
             jobs = []
             for path, (commands, complaint) in zip(seeds, asked):
                 files += bool(commands)
                 if complaint and "unknown extension" not in complaint and "has no extension" not in complaint:
                     faults.append(complaint)
                 for number, command in enumerate(commands):
-                    jobs.append(pool.submit(fault, folder, path.name, command, number))
+                    jobs.append(pool.submit(fault, folder, str(path.relative_to(folder)), command, number))
             faults += [found for found in (job.result() for job in jobs) if found]
             count = len(jobs)
     print(f"{count} commands for {files} files, {len(faults)} faults")

@@ -18,6 +18,7 @@ enum FileFact : unsigned {
     kTellsCounts = 8,  ///< Its header tells how many points and polygons there are.
     kNamesFiles = 16,  ///< Its values stand in other files: its own size says nothing, and it is asked for its times.
     kIsFolder = 32,    ///< It stands for the folder that it is in, which may be named itself.
+    kHasMaps = 64,     ///< x and y are places on a map; z has another unit.
 };
 
 /// How files of a kind and pieces of a whole go together.
@@ -54,14 +55,16 @@ inline constexpr FileKind fileKinds[] = {
      "own, blocks VTK", kHasParts | kHasBlocks},
     {".vthb", FileUse::any, "an AMR data set", "VTK XML AMR, uniform grids in levels", "points, cells of its blocks",
      "own, blocks VTK", kHasParts | kHasBlocks},
-    {".case .encas", FileUse::any, "an EnSight case", "EnSight Gold case", "points, cells of its parts", "own",
-     kHasParts | kHasTimes | kNamesFiles},
+    {".case .encas", FileUse::any, "an EnSight case", "EnSight case, Gold or 6", "points, cells of its parts",
+     "own; VTK", kHasParts | kHasTimes | kNamesFiles},
     {".cgns", FileUse::any, "a CGNS file", "CGNS in HDF5 or ADF", "points, cells of its zones and boundaries", "own",
      kHasParts | kHasTimes},
     {".e .exo .ex2 .exii .g", FileUse::any, "an Exodus file", "Exodus II",
      "points, elements, sides of its blocks and side sets", "own", kHasParts | kHasTimes},
     {".vtkhdf .hdf", FileUse::any, "a VTKHDF file", "VTKHDF: image, unstructured grid, polydata, or several",
      "points, cells of its blocks", "own", kHasParts | kHasTimes},
+    {".nc .nc4 .cdf", FileUse::field, "a netCDF grid", "netCDF grid of an ocean or the air (CF)", "points", "own",
+     kHasTimes | kHasMaps},
     {".tec .dat .plt", FileUse::any, "a Tecplot file", "Tecplot in text", "points, cells of its zones", "own",
      kHasParts | kHasTimes},
     {".cas", FileUse::any, "a Fluent case", "Fluent case, with the .dat beside it", "cells and faces of its zones",
@@ -113,8 +116,6 @@ inline constexpr UnreadKind unreadKinds[] = {
      "the form before it (.cas and .dat), which Fluent writes after '/file/cff-files? no'"},
     {".cas.gz .dat.gz", "a packed Fluent case", "the case unpacked, as gunzip does it"},
     {".szplt", "Tecplot's SZL", "Tecplot in text (.dat), as Tecplot 360 writes it (File > Write Data)"},
-    {".nc .nc4 .cdf", "a netCDF grid",
-     "VTK's files, as ParaView saves them, or arrays in Python: aeolic.Grid, or aeolic.lic2d for a plane"},
     {".grib .grb .grib2 .grb2", "GRIB", "arrays in Python, as xarray with cfgrib gives them: aeolic.lic2d"},
     {".silo", "Silo", "VTK's files, as VisIt exports them"},
     {".bp", "ADIOS", "VTK's files, as ParaView saves them"},

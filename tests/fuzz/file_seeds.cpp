@@ -27,6 +27,7 @@
 #include "reader/exodus/sample_exodus.h"
 #include "reader/fluent/sample_fluent.h"
 #include "reader/hdf5/sample_hdf5.h"
+#include "reader/netcdf/sample_netcdf.h"
 #include "reader/openfoam/sample_case.h"
 #include "reader/tecplot/sample_tecplot.h"
 
@@ -192,6 +193,15 @@ void writeEnSight(const std::string& folder)
         std::filesystem::create_directories(name);
         writeSampleEnSight(name, sample);
     }
+    std::filesystem::create_directories(folder + "/ensight6");
+    writeSampleEnSight6(folder + "/ensight6");
+}
+
+void writeNetcdfs(const std::string& folder)
+{
+    writeSampleNetcdf(folder + "/sea0.nc", NetcdfForm::classic);
+    writeSampleNetcdf(folder + "/sea1.cdf", NetcdfForm::offsets64);
+    writeSampleNetcdf(folder + "/sea2.nc4", NetcdfForm::netcdf4);
 }
 
 /// Each as the CGNS library writes it, and in HDF5's oldest form: there no checksum stops what is damaged.
@@ -299,6 +309,7 @@ void writeFileSeeds(const std::string& folder)
     writeEnSight(folder);
     writeCgns(folder);
     writeExodus(folder);
+    writeNetcdfs(folder);
     writeVtkHdfs(folder);
     writeTecplot(folder);
     writeFluent(folder);

@@ -28,7 +28,8 @@ MAPS = (".json", ".xml", ".csv")
 CASES = (".foam", ".case")  # Their data stand in other files of the same folder.
 EXODUS = (".e", ".ex2", ".exo", ".exii")
 VTKHDF = (".vtkhdf", ".hdf")
-ADDRESSED = (".cgns",) + EXODUS + VTKHDF
+NETCDF = (".nc", ".nc4", ".cdf")
+ADDRESSED = (".cgns",) + EXODUS + VTKHDF + NETCDF
 NUMBERS = [0, 1, 2, 3, 4, 7, 12, 42, 255, 65535, 65536, 2**31 - 1, 2**31, 2**32, 2**40, 10**15, 2**63 - 1, -1, -5]
 
 
@@ -183,6 +184,10 @@ def command(path, name, picture, rng):
             ["--surface", path], ["--surface", path + ":floor,sideset_100"], ["--surface", path + ":low,sheet,block_20"],
             ["--surface", path + ":all"], ["--surface", path, "--field", path], ["--surface", "boundary", "--field", path],
             ["--surface", path + ":lid", "--time", "0.5"], ["--surface", "slice:2,2,1.5:0,0.1,1", "--field", path + ":high"]])
+    if ending(name) in NETCDF:
+        return common + ["--field", path] + rng.choice([
+            ["--surface", "boundary", "--vectors", "uv10"], ["--surface", "boundary", "--vectors", "uvo", "--color-by", "thetao"],
+            ["--surface", "slice:5,50,-10:0,0,1", "--vectors", "uvo"], ["--surface", "image", "--vectors", "uv10", "--time", "6"]])
     if ending(name) in (".tec", ".dat"):
         color = rng.choice([[], ["--color-by", "p"], ["--color-by", "T"]])
         return common + ["--vectors", "UVW"] + color + rng.choice([

@@ -13,6 +13,7 @@
 
 #include "base/number_near.h"
 #include "base/text.h"
+#include "data/named_file.h"
 #include "data/vector_names.h"
 
 namespace aeolic {
@@ -276,6 +277,9 @@ ProposedCommands proposedCommands(const std::string& path, const FileSummary& su
         const std::string surface = ownSurface(summary);
         commands.push_back("--field " + file + vectors + " --surface " + surface + scalar +
                            (surface == "image" ? "" : straight));
+    } else if (namedKindHas(path, kHasMaps)) {
+        commands.push_back("--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld, 2) +
+                           " --color-by " + shellWord(name + ":mag"));
     } else {
         commands.push_back("--field " + file + vectors + " --surface " + middleSlice(summary.boundsWorld));
         commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);

@@ -36,9 +36,10 @@ public:
             if (begin == std::string::npos || line[begin] == '#') continue;
             take(line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin));
         }
-        if (!gold_)
-            throw InputError(path_, "its FORMAT is not 'type: ensight gold'",
-                             "an EnSight Gold case file (older kinds of EnSight are not read)");
+        if (!gold_ && !case_.isForVtk)
+            throw InputError(path_, "its FORMAT is not 'type: ensight' or 'type: ensight gold'",
+                             "a case file of EnSight 6 or Gold");
+        if (case_.isForVtk) return case_;
         if (case_.geometry.pattern.empty()) throw InputError(path_, "it names no geometry", "'model:' under GEOMETRY");
         case_.timeSets = times_.finish([this](const std::string& found, const std::string& expected) {
             throw InputError(path_, found, expected);
@@ -76,9 +77,15 @@ private:
             value = line.substr(colon + 1);
         }
         const std::vector<std::string> words = ensightWords(value);
-        if (section_ == "FORMAT" && key_ == "type") gold_ = words == std::vector<std::string>{"ensight", "gold"};
+        if (section_ == "FORMAT" && key_ == "type") {
+            gold_ = words == std::vector<std::string>{"ensight", "gold"};
+            case_.isForVtk = words == std::vector<std::string>{"ensight"};
+        }
+        if (case_.isForVtk) return;
         if (section_ == "GEOMETRY") takeGeometry(words);
         if (section_ == "VARIABLE") takeVariable(words);
+        if (section_ == "FILE" && (key_ == "file set" || key_ == "filename index" || key_ == "number of steps"))
+            takeFileSet(words);
         if (section_ == "TIME")
             times_.take(key_, words,
                         [this](const std::string& found, const std::string& expected) { fail(found, expected); });
@@ -87,9 +94,7 @@ private:
     void takeGeometry(std::vector<std::string> words)
     {
         if (key_ != "model") return;
-        const auto change = std::find(words.begin(), words.end(), "change_coords_only");
-        if (change != words.end())
-            fail("says change_coords_only", "a whole geometry for each step, or one that does not change");
+        words.erase(std::find(words.begin(), words.end(), "change_coords_only"), words.end());
         if (words.empty()) fail("names no file", "'model: [TIME SET] FILE'");
         case_.geometry = fileOf(words, words.size() - 1);
     }
@@ -111,21 +116,39 @@ private:
     /// `words` before `end` are the numbers of a time set and a file set.
     EnSightFile fileOf(const std::vector<std::string>& words, std::size_t end) const
     {
-        if (end > 1)
-            fail("names a file set", "a file for each step ('*' in its name): several in one file are not read");
-        EnSightFile file{words.back(), 0};
+        EnSightFile file{words.back()};
         if (file.pattern.empty()) fail("names no file", "the name of a file");
-        if (end == 1) {
-            const auto set = ensightNumber<int>(words[0]);
-            if (!set || *set < 1) fail(fmt::format("names the time set '{}'", words[0]), "its number, from 1");
-            file.timeSet = *set;
-        }
+        const auto number = [&](std::size_t i, const char* what) {
+            const auto set = ensightNumber<int>(words[i]);
+            if (!set || *set < 1) fail(fmt::format("names the {} '{}'", what, words[i]), "its number, from 1");
+            return *set;
+        };
+        if (end > 0) file.timeSet = number(0, "time set");
+        if (end > 1) file.fileSet = number(1, "file set");
         return file;
+    }
+
+    void takeFileSet(const std::vector<std::string>& words)
+    {
+        const auto whole = ensightNumber<int>(words.size() == 1 ? words[0] : "");
+        if (!whole || *whole < 0 || (key_ == "file set" && *whole < 1))
+            fail("has no whole number", "'" + key_ + ": N'");
+        std::vector<EnSightFileSet>& sets = case_.fileSets;
+        if (key_ == "file set")
+            sets.push_back({*whole, {}});
+        else if (sets.empty())
+            fail("belongs to no file set", "'file set: N' above it");
+        else if (key_ == "filename index")
+            sets.back().files.push_back({words[0], 0});
+        else if (sets.back().files.empty() || sets.back().files.back().count > 0)
+            sets.back().files.push_back({"", std::size_t(*whole)});
+        else
+            sets.back().files.back().count = std::size_t(*whole);
     }
 
     void requireFiles(EnSightFile& file)
     {
-        const bool stars = file.pattern.find('*') != std::string::npos;
+        const bool stars = file.pattern.find('*') != std::string::npos || file.fileSet != 0;
         if (stars && file.timeSet == 0 && !case_.timeSets.empty()) file.timeSet = case_.timeSets.front().number;
         const auto set = std::find_if(case_.timeSets.begin(), case_.timeSets.end(),
                                       [&](const EnSightTimes& t) { return t.number == file.timeSet; });
@@ -133,14 +156,25 @@ private:
             throw InputError(path_,
                              fmt::format("'{}' belongs to time set {}, which is not there", file.pattern, file.timeSet),
                              "a time set under TIME");
+        if (file.fileSet != 0) requireSteps(file, set->values.size());
         const std::vector<double> once{0};
         for (const double time : stars ? set->values : once) {
-            const std::string path = case_.fileAt(file, time);
+            const std::string path = case_.placeAt(file, time).path;
             std::error_code error;
             if (!fs::is_regular_file(path, error))
                 throw InputError(path_, fmt::format("it names '{}', which is not there", path),
                                  "a file beside the case");
         }
+    }
+
+    void requireSteps(const EnSightFile& file, std::size_t steps) const
+    {
+        std::size_t there = 0;
+        if (const EnSightFileSet* set = case_.fileSet(file.fileSet))
+            for (const EnSightFileSet::Steps& each : set->files) there += each.count;
+        if (there < steps)
+            throw InputError(path_, fmt::format("file set {} of '{}' has {} steps", file.fileSet, file.pattern, there),
+                             fmt::format("{}, as the time set has", steps));
     }
 
     std::string path_, section_, key_;
@@ -162,24 +196,35 @@ std::vector<double> EnSightCase::times() const
     return {all.begin(), all.end()};
 }
 
-std::string EnSightCase::fileAt(const EnSightFile& file, std::optional<double> time) const
+const EnSightFileSet* EnSightCase::fileSet(int number) const
+{
+    const auto set = std::find_if(fileSets.begin(), fileSets.end(),
+                                  [&](const EnSightFileSet& each) { return each.number == number; });
+    return set == fileSets.end() ? nullptr : &*set;
+}
+
+EnSightPlace EnSightCase::placeAt(const EnSightFile& file, std::optional<double> time) const
 {
     std::string name = file.pattern;
     const std::size_t first = name.find('*');
-    if (first != std::string::npos) {
-        const auto set = std::find_if(timeSets.begin(), timeSets.end(),
-                                      [&](const EnSightTimes& t) { return t.number == file.timeSet; });
-        std::size_t step = 0;
-        const double at = time ? *time : times().front();
-        while (step + 1 < set->values.size() && set->values[step + 1] <= at) ++step;
-        const std::size_t stars = name.find_first_not_of('*', first) == std::string::npos
-                                      ? name.size() - first
-                                      : name.find_first_not_of('*', first) - first;
-        std::string number = set->numbers[step];
-        if (number.size() < stars) number.insert(0, stars - number.size(), '0');
-        name.replace(first, stars, number);
+    if (first == std::string::npos && file.fileSet == 0) return {(fs::path(folder) / name).string(), {}};
+    const auto times =
+        std::find_if(timeSets.begin(), timeSets.end(), [&](const EnSightTimes& t) { return t.number == file.timeSet; });
+    std::size_t step = 0;
+    const double at = time ? *time : this->times().front();
+    while (step + 1 < times->values.size() && times->values[step + 1] <= at) ++step;
+    std::string number = times->numbers[step];
+    if (file.fileSet != 0) {
+        auto steps = fileSet(file.fileSet)->files.begin();
+        for (; step >= steps->count; ++steps) step -= steps->count;
+        number = steps->index;
     }
-    return (fs::path(folder) / name).string();
+    if (first != std::string::npos) {
+        const std::size_t end = std::min(name.find_first_not_of('*', first), name.size());
+        if (number.size() < end - first) number.insert(0, end - first - number.size(), '0');
+        name.replace(first, end - first, number);
+    }
+    return {(fs::path(folder) / name).string(), file.fileSet == 0 ? std::nullopt : std::optional(step)};
 }
 
 EnSightCase readEnSightCase(const std::string& path)

@@ -7,10 +7,27 @@
 
 namespace aeolic {
 
-/// A file of an EnSight case, or one for each step of time, with '*' in its name for the step's number.
+/// A file of an EnSight case, or several, with '*' in its name for the number of a step or of a file.
 struct EnSightFile {
     std::string pattern;
     int timeSet = 0;  ///< 0: none is named.
+    int fileSet = 0;  ///< That of files which hold several steps each; 0: a step has a file of its own.
+};
+
+/// Files that hold several steps each, one after the other.
+struct EnSightFileSet {
+    struct Steps {
+        std::string index;  ///< What stands in the place of '*'; empty: there is one file.
+        std::size_t count = 0;
+    };
+    int number = 0;  ///< As the case file calls it.
+    std::vector<Steps> files;
+};
+
+/// Where a file or a step of it stands.
+struct EnSightPlace {
+    std::string path;
+    std::optional<std::size_t> step;  ///< Of those in the file, from 0; nothing: it is all one.
 };
 
 struct EnSightVariable {
@@ -32,17 +49,21 @@ struct EnSightCase {
     EnSightFile geometry;
     std::vector<EnSightVariable> variables;  ///< Scalars and vectors on nodes or elements. Others are left out.
     std::vector<EnSightTimes> timeSets;
+    std::vector<EnSightFileSet> fileSets;
+    bool isForVtk = false;  ///< It is of EnSight 6.
 
     /// The times of all sets that files use, increasing, each once. Empty where nothing changes.
     std::vector<double> times() const;
 
-    /// The path of the file that holds at a time: that of the latest step which is not later, else of the first step.
-    /// No time: the first of times().
-    std::string fileAt(const EnSightFile& file, std::optional<double> time) const;
+    const EnSightFileSet* fileSet(int number) const;  ///< Null where there is none.
+
+    /// What holds at a time: that of the latest step which is not later, else of the first step. No time: the first of
+    /// times().
+    EnSightPlace placeAt(const EnSightFile& file, std::optional<double> time) const;
 };
 
 /// Reads a case file, and looks whether every file that it names for every step is there. Throws InputError, which
-/// begins with `path`.
+/// begins with `path`. Of a case for VTK nothing else counts than `isForVtk`, and VTK looks for its files.
 EnSightCase readEnSightCase(const std::string& path);
 
 }  // namespace aeolic

@@ -28,7 +28,7 @@ std::size_t sumOf(const EnSightStream& stream, const std::vector<std::int32_t>& 
 
 class GeometryText {
 public:
-    explicit GeometryText(const std::string& path) : stream_(path) {}
+    explicit GeometryText(const EnSightPlace& place) : stream_(place) {}
 
     EnSightGeometry read()
     {
@@ -178,9 +178,9 @@ std::vector<float> readEnSightCoordinates(EnSightStream& stream, std::size_t cou
     return values;
 }
 
-EnSightGeometry readEnSightGeometry(const std::string& path)
+EnSightGeometry readEnSightGeometry(const EnSightPlace& place)
 {
-    return GeometryText(path).read();
+    return GeometryText(place).read();
 }
 
 }  // namespace aeolic

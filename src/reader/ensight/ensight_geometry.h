@@ -41,7 +41,7 @@ struct EnSightGeometry {
     std::vector<EnSightPart> parts;
     std::map<int, std::size_t> indices;  ///< Of the parts, by their numbers.
 };
-EnSightGeometry readEnSightGeometry(const std::string& path);
+EnSightGeometry readEnSightGeometry(const EnSightPlace& place);
 
 /// The points and cells of a part behind "block …", as the line `kind` says.
 void readEnSightBlock(EnSightStream& stream, const std::string& kind, EnSightPart& part);

@@ -42,7 +42,7 @@ public:
     const std::vector<PartInfo>& parts() override
     {
         if (geometry_) return parts_;
-        geometry_ = readEnSightGeometry(case_.fileAt(case_.geometry, time_));
+        geometry_ = readEnSightGeometry(case_.placeAt(case_.geometry, time_));
         for (const EnSightPart& part : geometry_->parts)
             parts_.push_back(
                 {part.name, part.fillsSpace() ? "volume" : "faces", {}, part.fillsSpace() ? 3 : 2, part.cells() > 0});
@@ -62,7 +62,7 @@ public:
         for (const std::size_t array : wanted) {
             const EnSightVariable& variable = case_.variables[array];
             auto& all = values_[array];
-            if (all.empty()) all = readEnSightValues(case_.fileAt(variable.file, time_), variable, *geometry_);
+            if (all.empty()) all = readEnSightValues(case_.placeAt(variable.file, time_), variable, *geometry_);
             mesh.values.push_back(std::make_shared<const std::vector<float>>(std::move(all[number])));
         }
         return mesh;

@@ -33,7 +33,7 @@ std::int32_t swappedBytes(std::int32_t value)
 
 }  // namespace
 
-EnSightStream::EnSightStream(const std::string& path) : path_(path), data_(wholeFile(path))
+EnSightStream::EnSightStream(const EnSightPlace& place) : path_(place.path), data_(wholeFile(place.path))
 {
     const auto beginsWith = [&](std::size_t at, const char* text) {
         std::string begin = data_.substr(std::min(at, data_.size()), std::strlen(text));
@@ -57,11 +57,28 @@ EnSightStream::EnSightStream(const std::string& path) : path_(path), data_(whole
     }
     if (at_ > data_.size()) fail("the file is cut off", "an EnSight Gold geometry");
     if (format_.encoding == EnSightEncoding::binary) findByteOrder();
+    if (place.step) keepStep(*place.step);
 }
 
-EnSightStream::EnSightStream(const std::string& path, const EnSightFormat& format)
-    : path_(path), data_(wholeFile(path)), format_(format)
+EnSightStream::EnSightStream(const EnSightPlace& place, const EnSightFormat& format)
+    : path_(place.path), data_(wholeFile(place.path)), format_(format)
 {
+    if (place.step) keepStep(*place.step);
+}
+
+/// The rest of the data is that of one of the steps.
+void EnSightStream::keepStep(std::size_t step)
+{
+    constexpr const char *kBegin = "BEGIN TIME STEP", *kEnd = "END TIME STEP";
+    const std::size_t marker = format_.encoding == EnSightEncoding::fortran ? kMarker : 0;
+    std::size_t begin = data_.find(kBegin);
+    for (std::size_t i = 0; i < step && begin != std::string::npos; ++i) begin = data_.find(kBegin, begin + 1);
+    const std::size_t end = begin == std::string::npos ? begin : data_.find(kEnd, begin);
+    if (end == std::string::npos)
+        fail(fmt::format("the step {} is not there", step + 1), fmt::format("'{}' … '{}' for each step", kBegin, kEnd));
+    at_ = begin - std::min(begin, marker);
+    line();
+    data_.resize(std::max(at_, end - marker));
 }
 
 /// C's binary files do not say their byte order. The number of the first part is small in one order alone.

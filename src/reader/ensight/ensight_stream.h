@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "reader/ensight/ensight_case.h"
+
 namespace aeolic {
 
 /// How the numbers of a case stand in its files. The geometry says it, and holds for the variables.
@@ -19,8 +21,8 @@ struct EnSightFormat {
 class EnSightStream {
 public:
     /// Finds the format of a geometry file out.
-    explicit EnSightStream(const std::string& path);
-    EnSightStream(const std::string& path, const EnSightFormat& format);
+    explicit EnSightStream(const EnSightPlace& place);
+    EnSightStream(const EnSightPlace& place, const EnSightFormat& format);
 
     const EnSightFormat& format() const { return format_; }
     bool atEnd();
@@ -45,6 +47,7 @@ public:
 private:
     std::string trimmed(std::size_t begin, std::size_t end) const;
     void findByteOrder();
+    void keepStep(std::size_t step);
     void requireNumbers(std::size_t count, const char* item) const;
     void requireMarker(std::size_t bytes, const char* item);
     bool emptyRecordFollows() const;

@@ -13,8 +13,8 @@ namespace {
 
 class ValuesText {
 public:
-    ValuesText(const std::string& path, const EnSightVariable& variable, const EnSightGeometry& geometry)
-        : stream_(path, geometry.format), variable_(variable), geometry_(geometry)
+    ValuesText(const EnSightPlace& place, const EnSightVariable& variable, const EnSightGeometry& geometry)
+        : stream_(place, geometry.format), variable_(variable), geometry_(geometry)
     {
     }
 
@@ -110,10 +110,10 @@ private:
 
 }  // namespace
 
-std::vector<std::vector<float>> readEnSightValues(const std::string& path, const EnSightVariable& variable,
+std::vector<std::vector<float>> readEnSightValues(const EnSightPlace& place, const EnSightVariable& variable,
                                                   const EnSightGeometry& geometry)
 {
-    return ValuesText(path, variable, geometry).read();
+    return ValuesText(place, variable, geometry).read();
 }
 
 }  // namespace aeolic

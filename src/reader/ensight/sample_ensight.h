@@ -59,4 +59,7 @@ glm::vec3 sampleFlow(const glm::vec3& point, int step);
 /// Writes box.case, box.geo, and for the times 0 and 1.5 U.0000, p.0000, q.0000, U.0001 …
 void writeSampleEnSight(const std::string& folder, const SampleEnSight& sample = {});
 
+/// The parts "fluid" and "walls" with U and p as a case of EnSight 6 in text: one list of points for all parts.
+void writeSampleEnSight6(const std::string& folder);
+
 }  // namespace aeolic::test

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <numeric>
 
 #include "data/vtk/sample_files.h"
 #include "reader/ensight/sample_ensight.h"
@@ -279,6 +282,55 @@ void writeSampleEnSight(const std::string& folder, const SampleEnSight& sample)
         "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: box.geo\n\nVARIABLE\nconstant per case: 1 rho 1.2 1.2\n"
         "vector per node: 1 U U.****\nscalar per node: 1 q q.****\nscalar per element: 1 p p.****\n\nTIME\n"
         "time set: 1\nnumber of steps: 2\nfilename start number: 0\nfilename increment: 1\ntime values: 0\n1.5\n");
+}
+
+void writeSampleEnSight6(const std::string& folder)
+{
+    const std::vector<SamplePart> parts{sampleFluid(), sampleWalls()};
+    std::size_t count = 0;
+    for (const SamplePart& part : parts) count += part.points.size();
+    std::string geometry =
+        fmt::format("a box\nof EnSight 6\nnode id given\nelement id off\ncoordinates\n{:8}\n", count);
+    std::size_t id = 1;
+    for (const SamplePart& part : parts)
+        for (const glm::vec3& p : part.points)
+            geometry += fmt::format("{:8}{:12.5e}{:12.5e}{:12.5e}\n", id++, p.x, p.y, p.z);
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        geometry += fmt::format("part {:8}\n{}\n", i + 1, parts[i].name);
+        for (const SampleElements& elements : parts[i].elements) {
+            geometry += fmt::format("{}\n{:8}\n", elements.kind, elements.cells.size());
+            for (const std::vector<int>& cell : elements.cells) {
+                for (const int corner : cell) geometry += fmt::format("{:8}", corner + int(before));
+                geometry += "\n";
+            }
+        }
+        before += parts[i].points.size();
+    }
+    writeBytes(folder + "/box.geo", geometry);
+    const auto numbers = [](const std::vector<float>& values) {
+        std::string text;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            text += fmt::format("{:12.5e}{}", values[i], i % 6 == 5 || i + 1 == values.size() ? "\n" : "");
+        return text;
+    };
+    for (int step = 0; step < 2; ++step) {
+        std::vector<float> vectors;
+        std::string cells = "p\n";
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            for (const glm::vec3& p : parts[i].points)
+                for (int c = 0; c < 3; ++c) vectors.push_back(sampleFlow(p, step)[c]);
+            std::vector<float> own(parts[i].elements[0].cells.size());
+            std::iota(own.begin(), own.end(), 0.0F);
+            cells += fmt::format("part {:8}\n{}\n", i + 1, parts[i].elements[0].kind) + numbers(own);
+        }
+        writeBytes(folder + fmt::format("/U.000{}", step), "U\n" + numbers(vectors));
+        writeBytes(folder + fmt::format("/p.000{}", step), cells);
+    }
+    writeBytes(folder + "/box.case",
+               "FORMAT\ntype: ensight\n\nGEOMETRY\nmodel: box.geo\n\nVARIABLE\nvector per node: 1 U U.****\n"
+               "scalar per element: 1 p p.****\n\nTIME\ntime set: 1\nnumber of steps: 2\nfilename start number: 0\n"
+               "filename increment: 1\ntime values: 0\n1.5\n");
 }
 
 }  // namespace aeolic::test

@@ -102,21 +102,26 @@ bool NetcdfFile::readHeader(std::uint64_t fileBytes)
     const std::uint64_t records = classic ? classicNetcdfRecords(path_, id_, fileBytes) : 0;
     char name[NC_MAX_NAME + 1];
     std::map<int, std::uint64_t> lengths;
+    std::map<int, std::string> names;
     std::vector<int> numbers(std::size_t(dimensions) + 1);
     sound(nc_inq_dimids(id_, &dimensions, numbers.data(), 0), "its dimensions");
     for (int i = 0; i < dimensions; ++i) {
         std::size_t length = 0;
         sound(nc_inq_dim(id_, numbers[std::size_t(i)], name, &length), "a dimension");
+        names[numbers[std::size_t(i)]] = name;
         dimensions_[name] = lengths[numbers[std::size_t(i)]] =
             classic && numbers[std::size_t(i)] == unlimited ? records : length;
     }
     for (int i = 0; i < variables; ++i) {
         int rank = 0;
         sound(nc_inq_varndims(id_, i, &rank), "a variable");
-        Variable variable{i, NC_NAT, {}};
+        Variable variable{i, NC_NAT, {}, {}};
         numbers.resize(std::size_t(rank) + 1);
         sound(nc_inq_var(id_, i, name, &variable.type, nullptr, numbers.data(), nullptr), "a variable");
-        for (int k = 0; k < rank; ++k) variable.shape.push_back(lengths[numbers[std::size_t(k)]]);
+        for (int k = 0; k < rank; ++k) {
+            variable.shape.push_back(lengths[numbers[std::size_t(k)]]);
+            variable.dimensions.push_back(names[numbers[std::size_t(k)]]);
+        }
         variables_.emplace(name, std::move(variable));
     }
     return classic;
@@ -150,6 +155,32 @@ std::optional<std::string> NetcdfFile::text(const std::string& variable, const s
     std::string text(length, '\0');
     sound(nc_get_att_text(id_, number, attribute.c_str(), text.data()), fmt::format("'{}'", attribute));
     return withoutFilling(std::move(text));
+}
+
+std::vector<std::string> NetcdfFile::variables() const
+{
+    std::vector<std::string> names;
+    for (const auto& [name, variable] : variables_) names.push_back(name);
+    return names;
+}
+
+const std::vector<std::string>& NetcdfFile::dimensions(const std::string& variable) const
+{
+    return find(variable).dimensions;
+}
+
+std::optional<std::vector<double>> NetcdfFile::numbers(const std::string& variable, const std::string& attribute) const
+{
+    const int number = find(variable).id;
+    if (root_) return root_->require(variable).reals(attribute);
+    const Hdf5Lock lock;
+    nc_type type = NC_NAT;
+    std::size_t length = 0;
+    if (nc_inq_att(id_, number, attribute.c_str(), &type, &length) != NC_NOERR || !numberType(type))
+        return std::nullopt;
+    std::vector<double> numbers(length);
+    sound(nc_get_att_double(id_, number, attribute.c_str(), numbers.data()), fmt::format("'{}'", attribute));
+    return numbers;
 }
 
 template <class Number>

@@ -28,12 +28,15 @@ public:
     std::optional<std::uint64_t> dimension(const std::string& name) const;
 
     bool has(const std::string& variable) const { return variables_.contains(variable); }
+    std::vector<std::string> variables() const;  ///< Their names, sorted.
 
     /// Slowest first. In netCDF-4 a variable is only as long as it was written. What follows throws where there is no
     /// such variable.
     std::vector<std::uint64_t> shape(const std::string& variable) const;
-    std::optional<NumberType> type(const std::string& variable) const;  ///< Nothing of characters.
+    const std::vector<std::string>& dimensions(const std::string& variable) const;  ///< Their names.
+    std::optional<NumberType> type(const std::string& variable) const;              ///< Nothing of characters.
     std::optional<std::string> text(const std::string& variable, const std::string& attribute) const;
+    std::optional<std::vector<double>> numbers(const std::string& variable, const std::string& attribute) const;
 
     /// A slab of a variable's numbers, as float, double or std::int64_t.
     template <class Number>
@@ -53,6 +56,7 @@ private:
     struct Variable {
         int id, type;
         std::vector<std::uint64_t> shape;
+        std::vector<std::string> dimensions;
     };
 
     bool readHeader(std::uint64_t fileBytes);

@@ -69,6 +69,11 @@ std::unique_ptr<OwnReader> openHdf(const std::string& path, FileUse use, std::op
     return hdf5Module().openVtkHdf(path, use, time);
 }
 
+std::unique_ptr<OwnReader> openNetcdf(const std::string& path, FileUse use, std::optional<double> time)
+{
+    return hdf5Module().openNetcdfGrid(path, use, time);
+}
+
 std::unique_ptr<OwnReader> openFoam(const std::string& path, FileUse use, std::optional<double> time)
 {
     return std::make_unique<PartBlocks>(openFoamCase(path, use, time), path, use);
@@ -98,10 +103,17 @@ std::vector<std::uint64_t> bytesOfPieces(const std::string& path, FileUse, const
     return bytes;
 }
 
+std::unique_ptr<OwnReader> openEnSight(const std::string& path, FileUse use, std::optional<double> time)
+{
+    if (readEnSightCase(path).isForVtk) return vtkModule().openEnSight6(path, use, time);
+    return std::make_unique<PartBlocks>(openEnSightCase(path, time), path, use);
+}
+
 std::vector<double> timesOfEnSight(const std::string& path, const std::vector<std::string>&)
 {
     checkReadableFile(path);
-    return readEnSightCase(path).times();
+    const EnSightCase text = readEnSightCase(path);
+    return text.isForVtk ? openEnSight(path, FileUse::any, {})->times() : text.times();
 }
 
 // What a damaged file claims to hold may fill the memory. LZMA packs zeros to a few thousandths of their size; a digit
@@ -117,10 +129,11 @@ constexpr FormatReader readers[] = {
     {.endings = ".pvtp", .makeReader = make<XmlPieces<vtkXMLPPolyDataReader, vtkXMLPolyDataReader>>, .pieces = bytesOfPieces},
     {.endings = ".vtm .vtmb", .open = openMultiBlock},
     {.endings = ".vthb", .open = openMultiBlock},
-    {.endings = ".case .encas", .openParts = openEnSightCase, .times = timesOfEnSight},
+    {.endings = ".case .encas", .open = openEnSight, .times = timesOfEnSight},
     {.endings = ".cgns", .openParts = openCgns},
     {.endings = ".e .exo .ex2 .exii .g", .openParts = openExodus},
     {.endings = ".vtkhdf .hdf", .open = openHdf},
+    {.endings = ".nc .nc4 .cdf", .open = openNetcdf},
     {.endings = ".tec .dat .plt", .unpacked = kPlain, .openParts = openTecplotFile},
     {.endings = ".cas", .unpacked = kPlain, .openParts = openFluentFile},
     {.endings = ".msh", .unpacked = kPlain, .openParts = openFluentFile},

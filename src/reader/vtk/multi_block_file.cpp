@@ -1,21 +1,18 @@
 #include "reader/vtk/multi_block_file.h"
 
 #include <fmt/format.h>
-#include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
-#include <vtkFloatArray.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
-#include <vtkPointData.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "aeolic/error.h"
 #include "base/text.h"
 #include "data/part_choice.h"
 #include "reader/vtk/amr_levels.h"
+#include "reader/vtk/block_arrays.h"
 #include "reader/vtk/data_file.h"
 #include "reader/vtk/xml/xml_tree.h"
 
@@ -42,27 +39,6 @@ PartInfo partOf(const std::string& name, const std::vector<std::string>& groups,
     const FileKind* kind = fileKindOf(file);
     if (kind && !kind->holdsData()) kind = nullptr;
     return {name, kind ? kind->kind : "unknown", groups, kind && kind->use == FileUse::surface ? 2 : 3};
-}
-
-/// Blocks are put together, where VTK drops arrays that differ in type: all are made floats. A block that has an array
-/// with other components than the first that has it counts as one without.
-void unifyArrays(vtkDataSet& set, const std::vector<ArrayInfo>& kept)
-{
-    for (const ArrayInfo& array : kept) {
-        if (isMaskName(array.name)) continue;
-        vtkDataArray* const own = findArray(set, array.name, array.onPoints);
-        vtkSmartPointer<vtkFloatArray> values;
-        if (own && own->GetNumberOfComponents() == array.components) {
-            values = toFloats(own);
-        } else {
-            values = vtkSmartPointer<vtkFloatArray>::New();
-            values->SetName(array.name.c_str());
-            values->SetNumberOfComponents(array.components);
-            values->SetNumberOfTuples(array.onPoints ? set.GetNumberOfPoints() : set.GetNumberOfCells());
-            values->FillValue(std::nanf(""));
-        }
-        (array.onPoints ? static_cast<vtkFieldData*>(set.GetPointData()) : set.GetCellData())->AddArray(values);
-    }
 }
 
 class MultiBlockFile : public OwnReader {

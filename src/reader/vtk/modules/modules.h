@@ -21,12 +21,14 @@ struct Hdf5Module {
     std::unique_ptr<PartSource> (*openCgns)(const std::string& path, std::optional<double> time);
     std::unique_ptr<PartSource> (*openExodus)(const std::string& path, std::optional<double> time);
     std::unique_ptr<OwnReader> (*openVtkHdf)(const std::string& path, FileUse use, std::optional<double> time);
+    std::unique_ptr<OwnReader> (*openNetcdfGrid)(const std::string& path, FileUse use, std::optional<double> time);
 };
 
 /// VTK's readers beside those of its XML formats.
 struct VtkModule {
     vtkSmartPointer<vtkAlgorithm> (*makeStl)();
     vtkSmartPointer<vtkAlgorithm> (*makeNrrd)();
+    std::unique_ptr<OwnReader> (*openEnSight6)(const std::string& path, FileUse use, std::optional<double> time);
 };
 
 /// Loads the module at first. Throws InputError where it is not there.

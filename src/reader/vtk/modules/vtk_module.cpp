@@ -1,5 +1,6 @@
 #include <vtkSTLReader.h>
 
+#include "reader/vtk/modules/ensight_reader.h"
 #include "reader/vtk/modules/modules.h"
 #include "reader/vtk/modules/nrrd_reader.h"
 
@@ -15,4 +16,5 @@ vtkSmartPointer<vtkAlgorithm> make()
 }  // namespace
 }  // namespace aeolic
 
-extern "C" const aeolic::VtkModule aeolicVtkModule{aeolic::make<vtkSTLReader>, aeolic::makeNrrdReader};
+extern "C" const aeolic::VtkModule aeolicVtkModule{aeolic::make<vtkSTLReader>, aeolic::makeNrrdReader,
+                                                   aeolic::openEnSight6};

@@ -1,0 +1,230 @@
+#include "reader/vtk/netcdf/grid_places.h"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkPoints.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/text.h"
+#include "reader/vtk/netcdf/grid_values.h"
+
+namespace aeolic {
+namespace {
+
+constexpr double kEvenness = 1e-3;  // Of a step: coordinates in floats are even no better.
+
+constexpr CoordinateKind kKinds[] = {CoordinateKind::x, CoordinateKind::y, CoordinateKind::z};
+
+/// A map's own coordinates: degrees, or lengths.
+bool isOfMap(const NetcdfFile& file, const std::optional<std::string>& variable)
+{
+    if (!variable) return false;
+    const std::string units = file.text(*variable, "units").value_or("");
+    const bool isLength = units == "m" || units == "km" || units.starts_with("met") || units.starts_with("kilomet");
+    return isLength || isInDegrees(file, *variable);
+}
+
+/// Longitudes that pass 360 and begin again go on.
+void unwind(std::vector<double>& places)
+{
+    for (std::size_t i = 1; i < places.size(); ++i) places[i] -= 360 * std::round((places[i] - places[i - 1]) / 360);
+}
+
+/// The coordinates along a dimension; 0, 1 … where there are none.
+std::vector<double> lineOf(const NetcdfFile& file, const std::string& dimension, CoordinateKind kind, bool& turned)
+{
+    const auto name = coordinateOf(file, dimension, kind);
+    std::vector<double> line(file.dimension(dimension).value_or(0));
+    std::iota(line.begin(), line.end(), 0.0);
+    if (!name || file.shape(*name)[0] != line.size()) return line;
+    line = file.read<double>(*name);
+    if (kind == CoordinateKind::x && isInDegrees(file, *name)) unwind(line);
+    if (kind == CoordinateKind::z && lowerCase(file.text(*name, "positive").value_or("")) == "down")
+        for (double& place : line) place = -place;
+    turned = line.size() > 1 && line[1] < line[0];
+    if (turned) std::reverse(line.begin(), line.end());
+    for (std::size_t i = 0; i < line.size(); ++i)
+        if (!std::isfinite(line[i]) || (i > 0 && line[i] <= line[i - 1]))
+            file.fail(fmt::format("its coordinate '{}' has the values {} and {} beside each other", *name,
+                                  line[i > 0 ? i - 1 : 0], line[i]),
+                      "finite values that only grow or only shrink");
+    return line;
+}
+
+/// The places of a curvilinear grid's points along x or y: of a variable over y and x, perhaps also over time.
+std::vector<double> planeOf(const NetcdfFile& file, const GridAxes& axes, CoordinateKind kind, bool& inDegrees)
+{
+    const GridAxes plane(axes.end() - 2, axes.end());
+    for (const std::string& name : file.variables()) {
+        const GridAxes& dimensions = file.dimensions(name);
+        if (!file.type(name) || dimensions.size() < 2 || coordinateKindOf(file, name) != kind ||
+            !std::equal(plane.begin(), plane.end(), dimensions.end() - 2))
+            continue;
+        Slab slab = wholeSlab(file.shape(name));
+        std::fill(slab.count.begin(), slab.count.end() - 2, 1);
+        inDegrees = isInDegrees(file, name);
+        const std::vector<float> values = unpackedValues(file, name, slab);
+        return {values.begin(), values.end()};
+    }
+    return {};
+}
+
+/// Neighbours on a curvilinear grid are neighbours on the map, also where it crosses the map's edge.
+void unwindRows(GridPlaces& places)
+{
+    std::vector<double> row(places.columns());
+    double first = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t r = 0; r < places.rows(); ++r) {
+        double before = first;
+        bool isFirst = true;
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            double& place = places.x[r * row.size() + c];
+            if (!std::isfinite(place)) continue;
+            if (std::isfinite(before)) place -= 360 * std::round((place - before) / 360);
+            before = place;
+            if (isFirst) first = place;
+            isFirst = false;
+        }
+    }
+}
+
+vtkSmartPointer<vtkDoubleArray> toVtk(const std::vector<double>& values)
+{
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetNumberOfValues(vtkIdType(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    return array;
+}
+
+bool isEven(const std::vector<double>& line)
+{
+    const double step = line.size() < 2 ? 1 : (line.back() - line.front()) / double(line.size() - 1);
+    for (std::size_t i = 0; i < line.size(); ++i)
+        if (std::abs(line[i] - line.front() - double(i) * step) > kEvenness * step) return false;
+    return true;
+}
+
+vtkSmartPointer<vtkDataSet> imageOf(const GridPlaces& places)
+{
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(int(places.columns()), int(places.rows()), int(places.layers()));
+    double origin[3], spacing[3] = {1, 1, 1};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::vector<double>& line = places.lines[c];
+        origin[c] = line.front();
+        if (line.size() > 1) spacing[c] = (line.back() - line.front()) / double(line.size() - 1);
+    }
+    image->SetOrigin(origin);
+    image->SetSpacing(spacing);
+    return image;
+}
+
+/// Whether a cell of a curvilinear grid has no place on the map.
+bool isTorn(const GridPlaces& places, std::size_t row, std::size_t column)
+{
+    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+    for (const std::size_t corner : {row * places.columns() + column, (row + 1) * places.columns() + column})
+        for (const std::size_t at : {corner, corner + 1}) {
+            if (!std::isfinite(places.x[at]) || !std::isfinite(places.y[at])) return true;
+            lo = std::min(lo, places.x[at]);
+            hi = std::max(hi, places.x[at]);
+        }
+    return places.inDegrees && hi - lo > 180;
+}
+
+vtkSmartPointer<vtkDataSet> curvilinearOf(const GridPlaces& places)
+{
+    const std::size_t columns = places.columns(), rows = places.rows(), layers = places.layers();
+    auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+    grid->SetDimensions(int(columns), int(rows), int(layers));
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetNumberOfPoints(vtkIdType(places.count()));
+    double known[2] = {0, 0};  // Points without a place are put beside one that has one; their cells are hidden.
+    for (std::size_t i = 0; i < rows * columns; ++i)
+        if (std::isfinite(places.x[i]) && std::isfinite(places.y[i])) {
+            known[0] = places.x[i];
+            known[1] = places.y[i];
+            break;
+        }
+    for (std::size_t k = 0; k < layers; ++k)
+        for (std::size_t i = 0; i < rows * columns; ++i) {
+            if (std::isfinite(places.x[i]) && std::isfinite(places.y[i])) {
+                known[0] = places.x[i];
+                known[1] = places.y[i];
+            }
+            points->SetPoint(vtkIdType(k * rows * columns + i), known[0], known[1], places.lines[2][k]);
+        }
+    grid->SetPoints(points);
+    auto hidden = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    hidden->SetName(vtkDataSetAttributes::GhostArrayName());
+    hidden->SetNumberOfValues(grid->GetNumberOfCells());
+    bool any = false;
+    for (std::size_t cell = 0; cell < std::size_t(grid->GetNumberOfCells()); ++cell) {
+        const std::size_t inLayer = cell % ((rows - 1) * (columns - 1));
+        const bool torn = isTorn(places, inLayer / (columns - 1), inLayer % (columns - 1));
+        hidden->SetValue(vtkIdType(cell), torn ? vtkDataSetAttributes::HIDDENCELL : 0);
+        any = any || torn;
+    }
+    if (any) grid->GetCellData()->AddArray(hidden);
+    return grid;
+}
+
+}  // namespace
+
+double GridPlaces::xAt(std::size_t row, std::size_t column) const
+{
+    return isCurvilinear() ? x[row * columns() + column] : lines[0][column];
+}
+
+double GridPlaces::yAt(std::size_t row, std::size_t column) const
+{
+    return isCurvilinear() ? y[row * columns() + column] : lines[1][row];
+}
+
+GridPlaces placesOf(const NetcdfFile& file, const GridAxes& axes)
+{
+    GridPlaces places;
+    places.lines[2] = {0};
+    const auto x = coordinateOf(file, axes.back(), CoordinateKind::x),
+               y = coordinateOf(file, axes[axes.size() - 2], CoordinateKind::y);
+    bool inDegrees[2] = {x && isInDegrees(file, *x), y && isInDegrees(file, *y)};
+    for (std::size_t c = 0; c < axes.size(); ++c)
+        places.lines[c] = lineOf(file, axes[axes.size() - 1 - c], kKinds[c], places.turned[c]);
+    if (!isOfMap(file, x) || !isOfMap(file, y)) {
+        places.x = planeOf(file, axes, CoordinateKind::x, inDegrees[0]);
+        places.y = planeOf(file, axes, CoordinateKind::y, inDegrees[1]);
+        if (places.x.size() != places.y.size() || places.x.size() != places.rows() * places.columns()) {
+            places.x.clear();
+            places.y.clear();
+        } else {
+            places.turned[0] = places.turned[1] = false;
+        }
+    }
+    places.inDegrees = inDegrees[0] && inDegrees[1];
+    if (places.isCurvilinear() && places.inDegrees) unwindRows(places);
+    return places;
+}
+
+vtkSmartPointer<vtkDataSet> dataSetOf(const GridPlaces& places)
+{
+    if (places.isCurvilinear()) return curvilinearOf(places);
+    if (std::all_of(places.lines.begin(), places.lines.end(), isEven)) return imageOf(places);
+    auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+    grid->SetDimensions(int(places.columns()), int(places.rows()), int(places.layers()));
+    grid->SetXCoordinates(toVtk(places.lines[0]));
+    grid->SetYCoordinates(toVtk(places.lines[1]));
+    grid->SetZCoordinates(toVtk(places.lines[2]));
+    return grid;
+}
+
+}  // namespace aeolic

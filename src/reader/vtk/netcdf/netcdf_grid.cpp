@@ -1,0 +1,141 @@
+#include "reader/vtk/netcdf/netcdf_grid.h"
+
+#include <fmt/format.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+
+#include "base/memory.h"
+#include "reader/netcdf/netcdf_file.h"
+#include "reader/vtk/netcdf/grid_places.h"
+#include "reader/vtk/netcdf/grid_values.h"
+#include "reader/vtk/netcdf/grid_variables.h"
+
+namespace aeolic {
+namespace {
+
+constexpr std::uint64_t kMostPoints = std::uint64_t(1) << 31;  // VTK counts a grid's points along an axis in int.
+
+class NetcdfGrid : public OwnReader {
+public:
+    NetcdfGrid(const std::string& path, std::optional<double> time) : file_(path), all_(gridVariablesOf(file_))
+    {
+        // What is proposed first is a vector of the grid that all arrays together get.
+        std::stable_sort(all_.vectors.begin(), all_.vectors.end(),
+                         [&](const GridVector& a, const GridVector& b) { return pointsOf(a.axes) > pointsOf(b.axes); });
+        for (const GridVector& vector : all_.vectors) arrays_.push_back({vector.name, true, 3, VTK_FLOAT});
+        for (const GridVariable& variable : all_.variables) arrays_.push_back({variable.name, true, 1, VTK_FLOAT});
+        for (const GridVariable& variable : all_.variables) steps_.push_back(stepAt(variable, time));
+    }
+
+    const std::vector<ArrayInfo>& arrays() const override { return arrays_; }
+
+    /// Those of the grid that is read if all arrays are kept.
+    std::vector<double> times() const override
+    {
+        const std::size_t first = leading(arrays_);
+        const std::size_t variable =
+            first < all_.vectors.size() ? all_.vectors[first].of[0] : first - all_.vectors.size();
+        const auto name = timeOf(all_.variables[variable]);
+        return name ? all_.times.at(*name) : std::vector<double>{};
+    }
+
+    const std::vector<PartInfo>& parts() const override { return parts_; }
+    void keepParts(std::vector<std::string>) override {}
+
+    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
+    {
+        const GridAxes& axes = axesOf(leading(kept));
+        const GridPlaces places = placesOf(file_, axes);
+        if (places.count() > kMostPoints)
+            file_.fail(fmt::format("a grid of {} points", places.count()), "at most 2^31");
+        requireMemory(file_.path(),
+                      fmt::format("a grid of {} x {} x {} points", places.columns(), places.rows(), places.layers()),
+                      places.count() * sizeof(float) * (kept.size() + 2));
+        const auto data = dataSetOf(places);
+        for (const ArrayInfo& array : kept) {
+            const std::size_t i = indexOf(array);
+            if (i == arrays_.size() || !canStandOn(file_, axesOf(i), axes)) continue;
+            const std::vector<float> values = i < all_.vectors.size()
+                                                  ? vectorsOnGrid(file_, all_, all_.vectors[i], axes, places, steps_)
+                                                  : valuesOnGrid(file_, all_.variables[i - all_.vectors.size()], axes,
+                                                                 places, steps_[i - all_.vectors.size()]);
+            auto made = vtkSmartPointer<vtkFloatArray>::New();
+            made->SetName(array.name.c_str());
+            made->SetNumberOfComponents(array.components);
+            made->SetNumberOfTuples(vtkIdType(places.count()));
+            std::copy(values.begin(), values.end(), made->GetPointer(0));
+            data->GetPointData()->AddArray(made);
+        }
+        return data;
+    }
+
+private:
+    std::size_t indexOf(const ArrayInfo& array) const
+    {
+        return std::size_t(std::find_if(arrays_.begin(), arrays_.end(),
+                                        [&](const ArrayInfo& each) { return each.name == array.name; }) -
+                           arrays_.begin());
+    }
+
+    const GridAxes& axesOf(std::size_t array) const
+    {
+        return array < all_.vectors.size() ? all_.vectors[array].axes
+                                           : all_.variables[array - all_.vectors.size()].axes;
+    }
+
+    std::uint64_t pointsOf(const GridAxes& axes) const
+    {
+        std::uint64_t points = 1;
+        for (const std::string& axis : axes) points *= file_.dimension(axis).value_or(1);
+        return points;
+    }
+
+    /// The array whose grid is read: of vectors before others, that with the most points.
+    std::size_t leading(const std::vector<ArrayInfo>& kept) const
+    {
+        std::size_t best = 0;
+        std::uint64_t most = 0;
+        for (std::size_t i = 0; i < arrays_.size(); ++i) {
+            if (i >= all_.vectors.size() && best < all_.vectors.size() && most > 0) break;
+            if (std::none_of(kept.begin(), kept.end(),
+                             [&](const ArrayInfo& each) { return each.name == arrays_[i].name; }))
+                continue;
+            const std::uint64_t points = pointsOf(axesOf(i));
+            if (points <= most) continue;
+            best = i;
+            most = points;
+        }
+        return best;
+    }
+
+    std::optional<std::string> timeOf(const GridVariable& variable) const
+    {
+        return variable.time ? std::optional(file_.dimensions(variable.name)[*variable.time]) : std::nullopt;
+    }
+
+    std::size_t stepAt(const GridVariable& variable, std::optional<double> time) const
+    {
+        const auto name = timeOf(variable);
+        if (!name || !time) return 0;
+        const std::vector<double>& times = all_.times.at(*name);
+        const auto after = std::upper_bound(times.begin(), times.end(), *time);
+        return after == times.begin() ? 0 : std::size_t(after - times.begin()) - 1;
+    }
+
+    NetcdfFile file_;
+    GridVariables all_;
+    std::vector<ArrayInfo> arrays_;   // The vectors, then the variables.
+    std::vector<std::size_t> steps_;  // Of each variable.
+    std::vector<PartInfo> parts_;
+};
+
+}  // namespace
+
+std::unique_ptr<OwnReader> openNetcdfGrid(const std::string& path, FileUse, std::optional<double> time)
+{
+    return std::make_unique<NetcdfGrid>(path, time);
+}
+
+}  // namespace aeolic

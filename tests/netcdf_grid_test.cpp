@@ -1,0 +1,337 @@
+#include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkDataSet.h>
+#include <vtkPointData.h>
+
+#include "aeolic/error.h"
+#include "data/load/file_info.h"
+#include "data/load/loaded_scene.h"
+#include "data/vtk/file_reader.h"
+#include "data/vtk/sample_files.h"
+#include "describe_testing.h"
+#include "reader/netcdf/sample_netcdf.h"
+
+/// Grids in netCDF, as models of oceans and of the air write them.
+
+namespace aeolic {
+namespace {
+
+using namespace test;
+using namespace testkit;
+class NetcdfGrids : public testing::Test {
+protected:
+    const TempFolder folder_;
+    const std::string path_ = folder_.file("a.nc");
+
+    /// All that is in the grid of these arrays.
+    vtkSmartPointer<vtkDataSet> read(const std::vector<std::string>& names, std::optional<double> time = {}) const
+    {
+        FileReader reader(path_, FileUse::field, time);
+        std::vector<ArrayInfo> kept;
+        for (const ArrayInfo& array : reader.announcedArrays())
+            if (std::find(names.begin(), names.end(), array.name) != names.end()) kept.push_back(array);
+        EXPECT_EQ(kept.size(), names.size()) << listArrays(reader.announcedArrays());
+        reader.keepOnly(kept);
+        return vtkDataSet::SafeDownCast(reader.read({}, "reading"));
+    }
+
+    static glm::dvec3 vectorAt(vtkDataSet& data, const char* name, vtkIdType point)
+    {
+        double v[3];
+        data.GetPointData()->GetArray(name)->GetTuple(point, v);
+        return {v[0], v[1], v[2]};
+    }
+
+    static glm::dvec3 placeOf(vtkDataSet& data, vtkIdType point)
+    {
+        double p[3];
+        data.GetPoint(point, p);
+        return {p[0], p[1], p[2]};
+    }
+
+    std::string failure() const
+    {
+        try {
+            FileReader(path_, FileUse::field).announcedArrays();
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+};
+
+constexpr const char* kEast = "degrees_east";
+constexpr const char* kNorth = "degrees_north";
+
+/// As reanalyses are: packed in shorts, from north to south, a step an hour.
+TEST_F(NetcdfGrids, PackedMapsFromNorthToSouth)
+{
+    for (const auto form : {NetcdfForm::classic, NetcdfForm::offsets64, NetcdfForm::netcdf4}) {
+        {
+            NetcdfWriter file(path_, form);
+            file.dimension("time", 2);
+            file.dimension("latitude", 3);
+            file.dimension("longitude", 4);
+            file.line("time", [](int i) { return 100.0 + 6 * i; }, {{"units", "hours since 1900-01-01"}});
+            file.line("latitude", [](int i) { return 60.0 - 30 * i; }, {{"units", kNorth}});
+            file.line("longitude", [](int i) { return 10.0 * i; }, {{"units", kEast}});
+            const NetcdfWriter::Numbers packing{{"scale_factor", 0.5}, {"add_offset", 10}, {"_FillValue", -32767}};
+            const std::vector<std::string> axes{"time", "latitude", "longitude"};
+            file.variable(
+                "u10", axes, [](int t, int y, int x) { return x == 3 ? -32767 : 4 + t * 2 + y * 10; },
+                {{"units", "m s**-1"}}, packing, true);
+            file.variable(
+                "v10", axes, [](int, int, int) { return -20; }, {{"units", "m s**-1"}}, packing, true);
+        }
+        const auto data = read({"uv10", "u10"}, 106);
+        ASSERT_TRUE(data);
+        EXPECT_STREQ(data->GetClassName(), "vtkImageData");
+        ASSERT_EQ(data->GetNumberOfPoints(), 12);
+        EXPECT_EQ(placeOf(*data, 0), glm::dvec3(0, 0, 0));
+        EXPECT_EQ(placeOf(*data, 11), glm::dvec3(30, 60, 0));
+        // The southern row is the file's last one: (4 + 2 + 20) / 2 + 10 = 23; -20 / 2 + 10 = 0.
+        EXPECT_EQ(data->GetPointData()->GetArray("u10")->GetComponent(0, 0), 23);
+        EXPECT_EQ(data->GetPointData()->GetArray("u10")->GetComponent(8, 0), 13);
+        EXPECT_TRUE(std::isnan(data->GetPointData()->GetArray("u10")->GetComponent(3, 0)));
+        EXPECT_EQ(vectorAt(*data, "uv10", 0), glm::dvec3(23, 0, 0));
+        EXPECT_TRUE(std::isnan(vectorAt(*data, "uv10", 11).x));
+        EXPECT_EQ(FileReader(path_, FileUse::field).timeSteps(), (std::vector<double>{100, 106}));
+    }
+}
+
+/// At 60 degrees a degree of longitude is half as long as one of latitude, so what flows north-east there climbs less
+/// on the map.
+TEST_F(NetcdfGrids, DirectionsAreThoseOnTheMap)
+{
+    {
+        NetcdfWriter file(path_);
+        file.dimension("lat", 3);
+        file.dimension("lon", 2);
+        file.line("lat", [](int i) { return 30.0 * i; }, {{"units", kNorth}});
+        file.line("lon", [](int i) { return i; }, {{"units", kEast}});
+        for (const char* name : {"uo", "vo"}) file.variable(name, {"lat", "lon"}, [](int, int, int) { return 1; });
+    }
+    const auto data = read({"uvo"});
+    EXPECT_NEAR(vectorAt(*data, "uvo", 0).x, 1, 1e-6);
+    const glm::dvec3 far = vectorAt(*data, "uvo", 4);
+    EXPECT_NEAR(far.x / far.y, 2, 1e-6);
+    EXPECT_NEAR(std::hypot(far.x, far.y), std::sqrt(2), 1e-6);
+}
+
+/// The C grid in its three spellings: one face more than cells (WRF), one less (ROMS), as many (MITgcm).
+TEST_F(NetcdfGrids, ComponentsHalfACellBesideEachOther)
+{
+    {
+        NetcdfWriter file(path_);
+        for (const auto& [name, length] :
+             std::map<std::string, int>{{"Time", 1}, {"sn", 3}, {"sn_stag", 4}, {"we", 4}, {"we_stag", 5}})
+            file.dimension(name, std::size_t(length));
+        file.variable("U", {"Time", "sn", "we_stag"}, [](int, int y, int x) { return x + 100 * y; });
+        file.variable("V", {"Time", "sn_stag", "we"}, [](int, int y, int x) { return x + 100 * y; });
+        file.variable("T", {"Time", "sn", "we"}, [](int, int y, int x) { return x + 10 * y; });
+    }
+    auto data = read({"UV", "T"});
+    ASSERT_EQ(data->GetNumberOfPoints(), 12);
+    EXPECT_EQ(vectorAt(*data, "UV", 6), glm::dvec3(2.5 + 100, 2 + 150, 0));
+    EXPECT_EQ(data->GetPointData()->GetArray("T")->GetComponent(6, 0), 12);
+    {
+        NetcdfWriter file(path_);
+        for (const auto& [name, length] : std::map<std::string, int>{
+                 {"eta_rho", 4}, {"eta_u", 4}, {"eta_v", 3}, {"xi_rho", 5}, {"xi_u", 4}, {"xi_v", 5}})
+            file.dimension(name, std::size_t(length));
+        file.variable("u", {"eta_u", "xi_u"}, [](int, int y, int x) { return x + 100 * y; });
+        file.variable("v", {"eta_v", "xi_v"}, [](int, int y, int x) { return x + 100 * y; });
+        file.variable("zeta", {"eta_rho", "xi_rho"}, [](int, int y, int x) { return x + 10 * y; });
+    }
+    data = read({"uv", "zeta"});
+    ASSERT_EQ(data->GetNumberOfPoints(), 20);
+    EXPECT_EQ(vectorAt(*data, "uv", 6), glm::dvec3(0.5 + 100, 1 + 50, 0));
+    EXPECT_TRUE(std::isnan(vectorAt(*data, "uv", 5).x)) << "beside the rim there is no neighbour";
+    EXPECT_EQ(data->GetPointData()->GetArray("zeta")->GetComponent(6, 0), 11);
+    {
+        NetcdfWriter file(path_);
+        for (const char* name : {"YC", "YG", "XC", "XG"}) {
+            file.dimension(name, 4);
+            file.line(name, [&](int i) { return i + (name[1] == 'C' ? 0.5 : 0); },
+                      {{"units", "m"}, {"axis", std::string(1, name[0])}});
+        }
+        file.variable("U", {"YC", "XG"}, [](int, int y, int x) { return x + 100 * y; });
+        file.variable("V", {"YG", "XC"}, [](int, int y, int x) { return x + 100 * y; });
+    }
+    data = read({"UV"});
+    EXPECT_EQ(placeOf(*data, 5), glm::dvec3(1.5, 1.5, 0));
+    EXPECT_EQ(vectorAt(*data, "UV", 5), glm::dvec3(1.5 + 100, 1 + 150, 0));
+}
+
+/// A grid that is turned by 90 degrees: along its lines means north for the first component.
+TEST_F(NetcdfGrids, CurvilinearGridsWithTheirOwnDirections)
+{
+    for (const bool isEastward : {false, true}) {
+        {
+            NetcdfWriter file(path_);
+            file.dimension("j", 3);
+            file.dimension("i", 4);
+            file.variable("nav_lon", {"j", "i"}, [](int, int y, int) { return -y; }, {{"units", kEast}});
+            file.variable("nav_lat", {"j", "i"}, [](int, int, int x) { return x; }, {{"units", kNorth}});
+            NetcdfWriter::Texts texts{{"coordinates", "nav_lon nav_lat"}};
+            if (isEastward) texts["standard_name"] = "eastward_sea_water_velocity";
+            file.variable(
+                "uo", {"j", "i"}, [](int, int, int) { return 2; }, texts);
+            file.variable("vo", {"j", "i"}, [](int, int, int) { return 0; });
+        }
+        const auto data = read({"uvo"});
+        EXPECT_STREQ(data->GetClassName(), "vtkStructuredGrid");
+        EXPECT_EQ(placeOf(*data, 6), glm::dvec3(-1, 2, 0));
+        const glm::dvec3 vector = vectorAt(*data, "uvo", 6),
+                         expected = isEastward ? glm::dvec3(2, 0, 0) : glm::dvec3(0, 2, 0);
+        EXPECT_NEAR(glm::distance(vector, expected), 0, 1e-6);
+    }
+}
+
+/// The map's edge within the grid, and places that are missing where there is land.
+TEST_F(NetcdfGrids, TornCellsAreHidden)
+{
+    {
+        NetcdfWriter file(path_);
+        file.dimension("y", 2);
+        file.dimension("x", 6);
+        const NetcdfWriter::Numbers fill{{"_FillValue", 1e20}};
+        file.variable(
+            "lon", {"y", "x"}, [](int, int, int x) { return x == 5 ? 1e20 : 170 + x * 5 - (x > 2 ? 360 : 0); },
+            {{"units", kEast}}, fill);
+        file.variable(
+            "lat", {"y", "x"}, [](int, int y, int x) { return x == 5 ? 1e20 : y; }, {{"units", kNorth}}, fill);
+        for (const char* name : {"u", "v"}) file.variable(name, {"y", "x"}, [](int, int, int) { return 1; });
+    }
+    const auto data = read({"uv"});
+    EXPECT_EQ(placeOf(*data, 3), glm::dvec3(185, 0, 0)) << "goes on beyond 180";
+    vtkDataArray* const hidden = data->GetCellData()->GetArray("vtkGhostType");
+    ASSERT_TRUE(hidden);
+    for (int cell = 0; cell < 5; ++cell) EXPECT_EQ(hidden->GetComponent(cell, 0) != 0, cell == 4) << cell;
+}
+
+TEST_F(NetcdfGrids, DepthGrowsDownwardsAndMapsStandInEachLayer)
+{
+    {
+        NetcdfWriter file(path_);
+        file.dimension("depth", 3);
+        file.dimension("lat", 2);
+        file.dimension("lon", 2);
+        file.line("depth",
+                  [](int i) {
+                      return std::array{1.0, 10.0, 100.0}[std::size_t(i)];
+                  },
+                  {{"units", "m"}, {"positive", "down"}});
+        file.line("lat", [](int i) { return i; }, {{"units", kNorth}});
+        file.line("lon", [](int i) { return 359 + i - (i > 0 ? 360 : 0); }, {{"units", kEast}});
+        file.variable("water_u", {"depth", "lat", "lon"}, [](int z, int, int) { return z; });
+        file.variable("water_v", {"depth", "lat", "lon"}, [](int, int, int) { return 0; });
+        file.variable("surf_el", {"lat", "lon"}, [](int, int y, int x) { return x + 10 * y; });
+    }
+    auto data = read({"water_uv", "surf_el"});
+    EXPECT_STREQ(data->GetClassName(), "vtkRectilinearGrid");
+    ASSERT_EQ(data->GetNumberOfPoints(), 12);
+    EXPECT_EQ(placeOf(*data, 0), glm::dvec3(359, 0, -100));
+    EXPECT_EQ(placeOf(*data, 11), glm::dvec3(360, 1, -1));
+    EXPECT_EQ(vectorAt(*data, "water_uv", 0).x, 2);
+    EXPECT_EQ(vectorAt(*data, "water_uv", 11).x, 0);
+    for (int layer = 0; layer < 3; ++layer)
+        EXPECT_EQ(data->GetPointData()->GetArray("surf_el")->GetComponent(4 * layer + 3, 0), 11);
+    const FileInfo info = fileInfo(path_);
+    EXPECT_NE(info.text.find("--surface slice:359.5,0.5,-50.5:0,0,1 --camera"), std::string::npos) << info.text;
+    data = read({"surf_el"});
+    EXPECT_EQ(data->GetNumberOfPoints(), 4) << "alone it is flat";
+}
+
+/// A fourth dimension is time, whatever it is called.
+TEST_F(NetcdfGrids, TheFirstOfFourDimensionsIsTime)
+{
+    {
+        NetcdfWriter file(path_);
+        for (const char* name : {"month", "level", "lat", "lon"}) file.dimension(name, 2);
+        file.line("month", [](int i) { return 1 + 6 * i; }, {});
+        for (const char* name : {"u", "v"})
+            file.variable(name, {"month", "level", "lat", "lon"}, [](int z, int, int) { return z; });
+    }
+    EXPECT_EQ(FileReader(path_, FileUse::field).timeSteps(), (std::vector<double>{1, 7}));
+    EXPECT_EQ(vectorAt(*read({"uv"}), "uv", 7).x, 1);
+}
+
+/// MATLAB's order: x before y.
+TEST_F(NetcdfGrids, DimensionsInAnyOrder)
+{
+    {
+        NetcdfWriter file(path_);
+        file.dimension("lon", 3);
+        file.dimension("lat", 2);
+        file.dimension("time", 2);
+        file.line("lon", [](int i) { return i; }, {{"units", kEast}});
+        file.line("lat", [](int i) { return i; }, {{"units", kNorth}});
+        for (const char* name : {"u", "v"})
+            file.variable(name, {"lon", "lat", "time"},
+                          [&](int x, int y, int t) { return name[0] == 'u' ? x + 10 * y + 100 * t : 0; });
+    }
+    EXPECT_EQ(vectorAt(*read({"uv"}), "uv", 2).x, 2);
+    EXPECT_EQ(vectorAt(*read({"uv"}, 1), "uv", 5).x, 112);
+}
+
+/// The CF conventions' names, where those of the variables tell nothing.
+TEST_F(NetcdfGrids, VectorsByTheirStandardNames)
+{
+    {
+        NetcdfWriter file(path_);
+        file.dimension("lat", 2);
+        file.dimension("lon", 2);
+        file.line("lat", [](int i) { return i; }, {{"units", kNorth}});
+        file.line("lon", [](int i) { return i; }, {{"units", kEast}});
+        file.variable("vozocrtx", {"lat", "lon"}, [](int, int, int) { return 3; },
+                      {{"standard_name", "sea_water_x_velocity"}});
+        file.variable("vomecrty", {"lat", "lon"}, [](int, int, int) { return 4; },
+                      {{"standard_name", "sea_water_y_velocity"}});
+        file.variable("sos", {"lat", "lon"}, [](int, int, int) { return 35; });
+    }
+    EXPECT_EQ(vectorAt(*read({"sea_water_velocity"}), "sea_water_velocity", 0), glm::dvec3(3, 4, 0));
+    const FileInfo info = fileInfo(path_);
+    EXPECT_NE(info.text.find("sea_water_velocity"), std::string::npos) << info.text;
+    EXPECT_NO_THROW(loadScene(describe("boundary", path_)));
+    EXPECT_NO_THROW(loadScene(describe("image", path_)));
+}
+
+TEST_F(NetcdfGrids, WhatIsNoGridIsSaid)
+{
+    {
+        NetcdfWriter file(path_);
+        file.dimension("nCells", 9);
+        file.dimension("level", 2);
+        file.variable("lonCell", {"nCells"}, [](int, int, int x) { return x; }, {{"units", kEast}});
+        file.variable("latCell", {"nCells"}, [](int, int, int x) { return x; }, {{"units", kNorth}});
+        file.variable("u", {"nCells", "level"}, [](int, int, int) { return 1; });
+    }
+    EXPECT_EQ(failure(), path_ +
+                             ": its values stand on a mesh without a grid, along 'nCells'; expected variables over "
+                             "latitude and longitude, or x and y (CF conventions)");
+    {
+        NetcdfWriter file(path_);
+        file.dimension("n", 9);
+        file.variable("p", {"n"}, [](int, int, int) { return 1; });
+    }
+    EXPECT_NE(failure().find("it has no variable on a grid"), std::string::npos) << failure();
+    {
+        NetcdfWriter file(path_);
+        file.dimension("lat", 3);
+        file.dimension("lon", 3);
+        file.line("lat", [](int i) { return i % 2; }, {{"units", kNorth}});
+        for (const char* name : {"u", "v"}) file.variable(name, {"lat", "lon"}, [](int, int, int) { return 1; });
+    }
+    try {
+        read({"uv"});
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("its coordinate 'lat' has the values 1 and 0 beside each other"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace aeolic
