@@ -51,7 +51,7 @@ std::string tokenFromFile(const std::string& path)
 std::string tokenFromEnvironment()
 {
     char* value = std::getenv(kVariable);
-    const std::string token = value ? value : "";
+    std::string token = value ? value : "";
     if (value) std::memset(value, 0, token.size());  // /proc shows what the process was started with.
     unsetenv(kVariable);
     if (!token.empty()) stream::checkToken(kVariable, token);

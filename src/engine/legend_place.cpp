@@ -71,6 +71,7 @@ std::vector<int> sampledFrames(int frames)
 {
     std::vector<int> sampled;
     const int count = std::min(frames, mostSamples);
+    sampled.reserve(std::size_t(count));
     for (int i = 0; i < count; ++i) sampled.push_back(int(std::int64_t(i) * frames / count));
     return sampled;
 }

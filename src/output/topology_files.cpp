@@ -49,7 +49,7 @@ public:
     template <class Number>
     std::string array(const std::string& name, int components, const std::vector<Number>& numbers)
     {
-        const std::string element = fmt::format(
+        std::string element = fmt::format(
             "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>",
             std::is_floating_point_v<Number> ? "Float64" : "Int64", xmlText(name), components, bytes_.size());
         const std::uint64_t size = sizeof(Number) * numbers.size();

@@ -123,6 +123,7 @@ std::vector<Color> shownColors(const ShadingOptions& shading, const ColorMap& ma
     const ColorScale scale = colorScaleOf(shading.colorScale);
     if (scale.kind != ColorScale::Kind::bands) return {map.colors.begin(), map.colors.end()};
     std::vector<Color> colors;
+    colors.reserve(std::size_t(scale.bands));
     for (int i = 0; i < scale.bands; ++i)  // The first and the last keep the map's own ends.
         colors.push_back(map.colors[std::size_t(std::lround(i * 255.0 / (scale.bands - 1)))]);
     return colors;

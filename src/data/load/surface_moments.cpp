@@ -147,11 +147,12 @@ LoadedSurface SurfacePart::surfaceAt(const Moment& moment, bool meet)
     if (weight > 0 && !between && !std::exchange(warned_, true))
         scene.warnings.push_back(earlierIsShown(isCut() ? context_.sources.field.name : source().track.name,
                                                 isCut() ? "cut into different meshes" : "different meshes"));
-    LoadedSurface surface = between ? std::move(*between) : *first;
+    if (!between) between = *first;
+    LoadedSurface& surface = *between;
     finishSurface(surface, context_.description.surface.featureAngle);
     if (context_.description.surface.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
     setOrigin(surface.mesh, originWorld_);
-    return surface;
+    return std::move(surface);
 }
 
 }  // namespace aeolic

@@ -71,7 +71,7 @@ vtkSmartPointer<vtkDataObject> readLegacy(const std::string& path, const Progres
     reader->ReadAllTCoordsOn();
     reader->ReadAllFieldsOn();
     // Update() would go through all words of uniform grids first, to find out what their scalars are.
-    const auto data = vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type));
+    auto data = vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type));
     reader->ReadMeshSimple(path, data);
     if (messages.failed())
         throw InputError(path, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged file");
