@@ -142,10 +142,20 @@ TEST_F(NetcdfGrids, ComponentsHalfACellBesideEachOther)
         file.variable("u", {"eta_u", "xi_u"}, [](int, int y, int x) { return x + 100 * y; });
         file.variable("v", {"eta_v", "xi_v"}, [](int, int y, int x) { return x + 100 * y; });
         file.variable("zeta", {"eta_rho", "xi_rho"}, [](int, int y, int x) { return x + 10 * y; });
+        for (const char* grid : {"rho", "u", "v"}) {
+            const std::vector<std::string> axes{std::string("eta_") + grid, std::string("xi_") + grid};
+            const double shiftX = grid[0] == 'u' ? 0.5 : 0, shiftY = grid[0] == 'v' ? 0.5 : 0;
+            file.variable(std::string("lon_") + grid, axes, [&](int, int, int x) { return 20 + x + shiftX; },
+                          {{"units", "degree_east"}});
+            file.variable(std::string("lat_") + grid, axes, [&](int, int y, int) { return 0.01 * (y + shiftY); },
+                          {{"units", "degree_north"}});
+        }
     }
     data = read({"uv", "zeta"});
+    EXPECT_NEAR(placeOf(*data, 6).x, 21, 1e-5);
+    EXPECT_NEAR(placeOf(*data, 6).y, 0.01, 1e-6);
     ASSERT_EQ(data->GetNumberOfPoints(), 20);
-    EXPECT_EQ(vectorAt(*data, "uv", 6), glm::dvec3(0.5 + 100, 1 + 50, 0));
+    EXPECT_NEAR(glm::distance(vectorAt(*data, "uv", 6), glm::dvec3(0.5 + 100, 1 + 50, 0)), 0, 1e-4);
     EXPECT_TRUE(std::isnan(vectorAt(*data, "uv", 5).x)) << "beside the rim there is no neighbour";
     EXPECT_EQ(data->GetPointData()->GetArray("zeta")->GetComponent(6, 0), 11);
     {
@@ -297,14 +307,94 @@ TEST_F(NetcdfGrids, VectorsByTheirStandardNames)
     EXPECT_NO_THROW(loadScene(describe("image", path_)));
 }
 
+/// Names that differ in a letter only, beside a flow.
+TEST_F(NetcdfGrids, WhatIsNoFlowIsNoVector)
+{
+    {
+        NetcdfWriter file(path_);
+        file.dimension("lat", 2);
+        file.dimension("lon", 2);
+        file.line("lat", [](int i) { return i; }, {{"units", kNorth}});
+        file.line("lon", [](int i) { return i; }, {{"units", kEast}});
+        const auto one = [](int, int, int) { return 1; };
+        for (const char* name : {"CLOX", "CLOY"}) file.variable(name, {"lat", "lon"}, one, {{"units", "mol/mol"}});
+        for (const char* name : {"e3u", "e3v"}) file.variable(name, {"lat", "lon"}, one, {{"units", "m"}});
+        for (const char* name : {"mask_u", "mask_v"}) file.variable(name, {"lat", "lon"}, one);
+        for (const char* name : {"MAPFAC_U", "MAPFAC_V"}) file.variable(name, {"lat", "lon"}, one);
+        for (const char* name : {"uo", "vo", "wo"}) file.variable(name, {"lat", "lon"}, one, {{"units", "m s-1"}});
+    }
+    std::vector<std::string> vectors;
+    FileReader reader(path_, FileUse::field);
+    for (const ArrayInfo& array : reader.announcedArrays())
+        if (array.components == 3) vectors.push_back(array.name);
+    EXPECT_EQ(vectors, (std::vector<std::string>{"uvo", "MAPFAC_UV"}));
+    EXPECT_NE(fileInfo(path_).text.find("--vectors uvo "), std::string::npos);
+}
+
+/// Members of an ensemble; bytes without a sign; a variable of its dimension's name; what stands on another grid.
+TEST_F(NetcdfGrids, OddFiles)
+{
+    for (const NetcdfForm form : {NetcdfForm::classic, NetcdfForm::netcdf4}) {
+        {
+            NetcdfWriter file(path_, form);
+            file.dimension("number", 3);
+            file.dimension("z", 2);
+            file.dimension("lat", 2);
+            file.dimension("lon", 3);
+            file.line("number", [](int i) { return std::array{2, 0, 1}[std::size_t(i)]; }, {});
+            file.variable("z", {"lat", "z", "lon"}, [](int, int, int x) { return x; });
+            for (const char* name : {"u", "v"})
+                file.variable(name, {"number", "lat", "lon"}, [](int n, int, int x) { return 10 * n + x; });
+            file.variable(
+                "p", {"lat", "lon"}, [](int, int, int) { return -56; }, {{"_Unsigned", "true"}},
+                {{"scale_factor", 0.1}}, true);
+        }
+        const auto data = read({"uv", "p"});
+        ASSERT_EQ(data->GetNumberOfPoints(), 6);
+        EXPECT_EQ(vectorAt(*data, "uv", 5), glm::dvec3(2, 2, 0));
+        EXPECT_NEAR(data->GetPointData()->GetArray("p")->GetComponent(0, 0), 6548, 1e-2);
+        try {
+            read({"uv", "z"});
+            ADD_FAILURE();
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("'z' stands on another grid than 'uv'; expected arrays of one"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
+}
+
+/// A grid with a pole of its own: its lines are no longitudes, and east is not along them.
+TEST_F(NetcdfGrids, RotatedPolesAndIdealizedRuns)
+{
+    for (const bool isIdealized : {false, true}) {
+        {
+            NetcdfWriter file(path_);
+            file.dimension("rlat", 3);
+            file.dimension("rlon", 3);
+            file.line("rlat", [](int i) { return i; }, {{"units", "degrees"}, {"standard_name", "grid_latitude"}});
+            file.line("rlon", [](int i) { return i; }, {{"units", "degrees"}, {"standard_name", "grid_longitude"}});
+            const double size = isIdealized ? 0 : 1;
+            file.variable("lon", {"rlat", "rlon"}, [&](int, int y, int) { return -size * y; }, {{"units", kEast}});
+            file.variable("lat", {"rlat", "rlon"}, [&](int, int, int x) { return size * x; }, {{"units", kNorth}});
+            file.variable("uas", {"rlat", "rlon"}, [](int, int, int) { return 2; },
+                          {{"units", "m s-1"}, {"standard_name", "eastward_wind"}, {"coordinates", "lon lat"}});
+            file.variable("vas", {"rlat", "rlon"}, [](int, int, int) { return 0; }, {{"units", "m s-1"}});
+        }
+        const auto data = read({"uvas"});
+        EXPECT_EQ(placeOf(*data, 5), isIdealized ? glm::dvec3(2, 1, 0) : glm::dvec3(-1, 2, 0));
+        EXPECT_NEAR(glm::distance(vectorAt(*data, "uvas", 5), glm::dvec3(2, 0, 0)), 0, 1e-6);
+    }
+}
+
 TEST_F(NetcdfGrids, WhatIsNoGridIsSaid)
 {
     {
         NetcdfWriter file(path_);
         file.dimension("nCells", 9);
         file.dimension("level", 2);
-        file.variable("lonCell", {"nCells"}, [](int, int, int x) { return x; }, {{"units", kEast}});
-        file.variable("latCell", {"nCells"}, [](int, int, int x) { return x; }, {{"units", kNorth}});
+        file.variable("lonCell", {"nCells"}, [](int, int, int x) { return x; }, {{"units", "rad"}});
+        file.variable("latCell", {"nCells"}, [](int, int, int x) { return x; }, {{"units", "rad"}});
         file.variable("u", {"nCells", "level"}, [](int, int, int) { return 1; });
     }
     EXPECT_EQ(failure(), path_ +

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "aeolic/error.h"
+#include "data/named_file.h"
 #include "data/vtk/checks/cell_checks.h"
 #include "data/vtk/data_message.h"
 #include "data/vtk/joined_arrays.h"
@@ -58,7 +59,7 @@ const std::vector<ArrayInfo>& FileReader::announcedArrays()
         facts_.arrays = understood<std::vector<ArrayInfo>>(
             ask(PacketKind::arrays, ArraysRequest{request_.parts, atTime_}, "looking for its arrays", {}));
     asked_ = true;
-    if (!joined_) facts_.arrays = withJoined(std::move(facts_.arrays));
+    if (!joined_ && !namedKindHas(path_, kHasMaps)) facts_.arrays = withJoined(std::move(facts_.arrays));
     joined_ = true;
     return facts_.arrays;
 }

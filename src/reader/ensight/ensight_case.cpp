@@ -31,7 +31,7 @@ public:
             const bool text = std::all_of(line.begin(), line.end(), [](char c) {
                 return static_cast<unsigned char>(c) >= ' ' || c == '\t' || c == '\r';
             });
-            if (!text) fail("is not text", "an EnSight Gold case file");
+            if (!text) fail("is not text", "the text of an EnSight case");
             const std::size_t begin = line.find_first_not_of(" \t\r");
             if (begin == std::string::npos || line[begin] == '#') continue;
             take(line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin));
@@ -94,7 +94,10 @@ private:
     void takeGeometry(std::vector<std::string> words)
     {
         if (key_ != "model") return;
-        words.erase(std::find(words.begin(), words.end(), "change_coords_only"), words.end());
+        const auto change = std::find(words.begin(), words.end(), "change_coords_only");
+        if (words.end() - change > 1)
+            fail("says change_coords_only with the step that has the cells", "a whole geometry for each step");
+        words.erase(change, words.end());
         if (words.empty()) fail("names no file", "'model: [TIME SET] FILE'");
         case_.geometry = fileOf(words, words.size() - 1);
     }

@@ -23,7 +23,7 @@ public:
         for (const EnSightPart& part : geometry_.parts)
             all_.emplace_back((variable_.onPoints ? part.pointCount() : part.cells()) * components(), kMissing);
         if (stream_.line() == "BEGIN TIME STEP")
-            stream_.fail("the file holds several steps", "a file for each step, with '*' in its name");
+            stream_.fail("the file holds several steps", "a file for each step ('*' in its name), or a file set");
         for (std::string word = stream_.keyword(); !word.empty();) {
             if (word != "part") stream_.fail(fmt::format("found '{}'", word), "'part'");
             word = readPart();

@@ -115,7 +115,7 @@ bool NetcdfFile::readHeader(std::uint64_t fileBytes)
     for (int i = 0; i < variables; ++i) {
         int rank = 0;
         sound(nc_inq_varndims(id_, i, &rank), "a variable");
-        Variable variable{i, NC_NAT, {}, {}};
+        Variable variable{i, NC_NAT, {}, {}, {}};
         numbers.resize(std::size_t(rank) + 1);
         sound(nc_inq_var(id_, i, name, &variable.type, nullptr, numbers.data(), nullptr), "a variable");
         for (int k = 0; k < rank; ++k) {
@@ -136,7 +136,7 @@ std::optional<std::uint64_t> NetcdfFile::dimension(const std::string& name) cons
 std::vector<std::uint64_t> NetcdfFile::shape(const std::string& variable) const
 {
     const std::vector<std::uint64_t>& shape = find(variable).shape;
-    return root_ ? root_->require(variable).shape() : shape;
+    return root_ ? object(variable).shape() : shape;
 }
 
 std::optional<NumberType> NetcdfFile::type(const std::string& variable) const
@@ -147,7 +147,7 @@ std::optional<NumberType> NetcdfFile::type(const std::string& variable) const
 std::optional<std::string> NetcdfFile::text(const std::string& variable, const std::string& attribute) const
 {
     const int number = find(variable).id;
-    if (root_) return root_->require(variable).text(attribute);
+    if (root_) return object(variable).text(attribute);
     const Hdf5Lock lock;
     nc_type type = NC_NAT;
     std::size_t length = 0;
@@ -172,7 +172,7 @@ const std::vector<std::string>& NetcdfFile::dimensions(const std::string& variab
 std::optional<std::vector<double>> NetcdfFile::numbers(const std::string& variable, const std::string& attribute) const
 {
     const int number = find(variable).id;
-    if (root_) return root_->require(variable).reals(attribute);
+    if (root_) return object(variable).reals(attribute);
     const Hdf5Lock lock;
     nc_type type = NC_NAT;
     std::size_t length = 0;
@@ -188,7 +188,7 @@ std::vector<Number> NetcdfFile::read(const std::string& variable, const Slab& sl
 {
     const Variable& found = find(variable);
     if (!numberType(found.type)) fail(fmt::format("'{}' has no numbers", variable), "numbers");
-    if (root_) return root_->require(variable).read<Number>(slab);
+    if (root_) return object(variable).read<Number>(slab);
     const std::uint64_t count = productOf(slab.count);
     if (count == 0) return {};
     requireMemory(path_, fmt::format("reading '{}'", variable), count * sizeof(Number));
@@ -205,7 +205,7 @@ std::vector<std::string> NetcdfFile::texts(const std::string& variable) const
     const std::vector<std::uint64_t> lengths = shape(variable);
     std::string all;
     if (root_) {
-        all = root_->require(variable).characters();
+        all = object(variable).characters();
     } else {
         if (find(variable).type != NC_CHAR) fail(fmt::format("'{}' has no characters", variable), "characters");
         requireMemory(path_, fmt::format("reading '{}'", variable), productOf(lengths));
@@ -221,6 +221,15 @@ std::vector<std::string> NetcdfFile::texts(const std::string& variable) const
     for (std::uint64_t at = 0; length > 0 && at + length <= all.size(); at += length)
         texts.push_back(withoutFilling(all.substr(at, length)));
     return texts;
+}
+
+/// In netCDF-4. A variable that has the name of a dimension, and is not its coordinate, has another name in HDF5.
+const Hdf5Object& NetcdfFile::object(const std::string& variable) const
+{
+    const Variable& found = find(variable);
+    const std::string aside = "_nc4_non_coord_" + variable;
+    if (!found.object) found.object = root_->require(root_->has(aside) ? aside : variable);
+    return *found.object;
 }
 
 const NetcdfFile::Variable& NetcdfFile::find(const std::string& variable) const

@@ -57,10 +57,12 @@ private:
         int id, type;
         std::vector<std::uint64_t> shape;
         std::vector<std::string> dimensions;
+        mutable std::optional<Hdf5Object> object = {};  // Once it was asked for.
     };
 
     bool readHeader(std::uint64_t fileBytes);
     const Variable& find(const std::string& variable) const;
+    const Hdf5Object& object(const std::string& variable) const;
     void sound(int status, const std::string& what) const;
 
     std::string path_;

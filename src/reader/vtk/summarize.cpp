@@ -268,7 +268,7 @@ FileSummary summaryOf(const std::string& path, const ProgressReport& progress)
         summary.points += derived ? 0 : set->GetNumberOfPoints();
         summary.cells += derived ? 0 : set->GetNumberOfCells();
         addBounds(*set, summary.boundsWorld);
-        const std::vector<ArrayInfo> arrays = arraysToChoose(*set);
+        const std::vector<ArrayInfo> arrays = kind->has(kHasMaps) ? arraysOf(*set) : arraysToChoose(*set);
         std::vector<ArrayInfo> candidates = arrays;
         if (!flatAxisOf(*set)) std::erase_if(candidates, [](const ArrayInfo& array) { return array.components == 2; });
         if (i == 0) chooseDefaultVectors(candidates, summary);

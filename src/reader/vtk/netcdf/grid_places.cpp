@@ -25,13 +25,12 @@ constexpr double kEvenness = 1e-3;  // Of a step: coordinates in floats are even
 
 constexpr CoordinateKind kKinds[] = {CoordinateKind::x, CoordinateKind::y, CoordinateKind::z};
 
-/// A map's own coordinates: degrees, or lengths.
+/// Longitude or latitude, and not that of a grid with a pole of its own.
 bool isOfMap(const NetcdfFile& file, const std::optional<std::string>& variable)
 {
     if (!variable) return false;
-    const std::string units = file.text(*variable, "units").value_or("");
-    const bool isLength = units == "m" || units == "km" || units.starts_with("met") || units.starts_with("kilomet");
-    return isLength || isInDegrees(file, *variable);
+    const std::string name = file.text(*variable, "standard_name").value_or("");
+    return isInDegrees(file, *variable) && !name.starts_with("grid_");
 }
 
 /// Longitudes that pass 360 and begin again go on.
@@ -61,22 +60,25 @@ std::vector<double> lineOf(const NetcdfFile& file, const std::string& dimension,
     return line;
 }
 
-/// The places of a curvilinear grid's points along x or y: of a variable over y and x, perhaps also over time.
-std::vector<double> planeOf(const NetcdfFile& file, const GridAxes& axes, CoordinateKind kind, bool& inDegrees)
+/// The values of a variable over y and x, at the first time where it is over time, too.
+std::vector<double> planeValues(const NetcdfFile& file, const std::string& name)
 {
-    const GridAxes plane(axes.end() - 2, axes.end());
-    for (const std::string& name : file.variables()) {
-        const GridAxes& dimensions = file.dimensions(name);
-        if (!file.type(name) || dimensions.size() < 2 || coordinateKindOf(file, name) != kind ||
-            !std::equal(plane.begin(), plane.end(), dimensions.end() - 2))
-            continue;
-        Slab slab = wholeSlab(file.shape(name));
-        std::fill(slab.count.begin(), slab.count.end() - 2, 1);
-        inDegrees = isInDegrees(file, name);
-        const std::vector<float> values = unpackedValues(file, name, slab);
-        return {values.begin(), values.end()};
-    }
-    return {};
+    Slab slab = wholeSlab(file.shape(name));
+    std::fill(slab.count.begin(), slab.count.end() - 2, 1);
+    const std::vector<float> values = unpackedValues(file, name, slab);
+    return {values.begin(), values.end()};
+}
+
+/// Idealized runs have zeros for longitudes and latitudes.
+bool hasExtent(const std::vector<double>& values)
+{
+    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+    for (const double value : values)
+        if (std::isfinite(value)) {
+            lo = std::min(lo, value);
+            hi = std::max(hi, value);
+        }
+    return hi > lo;
 }
 
 /// Neighbours on a curvilinear grid are neighbours on the map, also where it crosses the map's edge.
@@ -191,27 +193,25 @@ double GridPlaces::yAt(std::size_t row, std::size_t column) const
     return isCurvilinear() ? y[row * columns() + column] : lines[1][row];
 }
 
-GridPlaces placesOf(const NetcdfFile& file, const GridAxes& axes)
+GridPlaces placesOf(const NetcdfFile& file, const GridAxes& axes, const std::string& variable)
 {
     GridPlaces places;
     places.lines[2] = {0};
     const auto x = coordinateOf(file, axes.back(), CoordinateKind::x),
                y = coordinateOf(file, axes[axes.size() - 2], CoordinateKind::y);
-    bool inDegrees[2] = {x && isInDegrees(file, *x), y && isInDegrees(file, *y)};
+    places.inDegrees = x && y && isInDegrees(file, *x) && isInDegrees(file, *y);
     for (std::size_t c = 0; c < axes.size(); ++c)
         places.lines[c] = lineOf(file, axes[axes.size() - 1 - c], kKinds[c], places.turned[c]);
-    if (!isOfMap(file, x) || !isOfMap(file, y)) {
-        places.x = planeOf(file, axes, CoordinateKind::x, inDegrees[0]);
-        places.y = planeOf(file, axes, CoordinateKind::y, inDegrees[1]);
-        if (places.x.size() != places.y.size() || places.x.size() != places.rows() * places.columns()) {
-            places.x.clear();
-            places.y.clear();
-        } else {
-            places.turned[0] = places.turned[1] = false;
-        }
-    }
-    places.inDegrees = inDegrees[0] && inDegrees[1];
-    if (places.isCurvilinear() && places.inDegrees) unwindRows(places);
+    const auto plane = planeOf(file, axes, variable);
+    if (!plane || (!plane->areNamed && isOfMap(file, x) && isOfMap(file, y))) return places;
+    std::vector<double> xs = planeValues(file, plane->x), ys = planeValues(file, plane->y);
+    if (xs.size() != places.rows() * places.columns() || xs.size() != ys.size() || !hasExtent(xs) || !hasExtent(ys))
+        return places;
+    places.x = std::move(xs);
+    places.y = std::move(ys);
+    places.turned[0] = places.turned[1] = false;
+    places.inDegrees = isInDegrees(file, plane->x) && isInDegrees(file, plane->y);
+    if (places.inDegrees) unwindRows(places);
     return places;
 }
 

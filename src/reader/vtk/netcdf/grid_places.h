@@ -28,8 +28,9 @@ struct GridPlaces {
     double yAt(std::size_t row, std::size_t column) const;
 };
 
-/// Throws InputError where coordinates are not finite, or neither grow nor shrink.
-GridPlaces placesOf(const NetcdfFile& file, const GridAxes& axes);
+/// The places of the points of a variable's grid. Throws InputError where coordinates are not finite, or neither grow
+/// nor shrink.
+GridPlaces placesOf(const NetcdfFile& file, const GridAxes& axes, const std::string& variable);
 
 /// A grid without values: uniform, rectilinear or curvilinear. Cells of a curvilinear one that have a corner without a
 /// place, or that lie across the map's edge, are hidden.

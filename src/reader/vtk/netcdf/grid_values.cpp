@@ -27,6 +27,7 @@ public:
           lo_(onlyNumber(file, variable, "valid_min", -kNeverWritten)),
           hi_(onlyNumber(file, variable, "valid_max", kNeverWritten))
     {
+        if (file.text(variable, "_Unsigned") == "true") wrap_ = wrapOf(file.type(variable));
         for (const char* attribute : {"_FillValue", "missing_value"})
             if (const auto numbers = file.numbers(variable, attribute))
                 missing_.insert(missing_.end(), numbers->begin(), numbers->end());
@@ -42,12 +43,22 @@ public:
     {
         for (const double missing : missing_)
             if (packed == Number(missing)) return kNoValue;
-        const double value(packed);
+        double value(packed);
+        if (value < 0) value += wrap_;
         return value >= lo_ && value <= hi_ ? float(value * scale_ + offset_) : kNoValue;
     }
 
 private:
-    double scale_, offset_, lo_, hi_;
+    /// What a negative number of the type lacks to the one without a sign that it stands for.
+    static double wrapOf(std::optional<NumberType> type)
+    {
+        return type == NumberType::int8    ? 256.0
+               : type == NumberType::int16 ? 65536.0
+               : type == NumberType::int32 ? 4294967296.0
+                                           : 0;
+    }
+
+    double scale_, offset_, lo_, hi_, wrap_ = 0;
     std::vector<double> missing_;
 };
 
@@ -68,7 +79,7 @@ std::vector<float> unpack(const NetcdfFile& file, const std::string& variable, c
 
 /// Values in three dimensions, x fastest.
 struct Block {
-    std::array<std::size_t, 3> size{1, 1, 1};  // Along x, y, z.
+    std::array<std::size_t, 3> size{1, 1, 1};  // How many values it has along x, y and z.
     std::vector<float> values;
 
     std::size_t stride(std::size_t c) const { return c == 0 ? 1 : c == 1 ? size[0] : size[0] * size[1]; }
@@ -112,10 +123,15 @@ std::optional<int> neighbourBefore(const NetcdfFile& file, const std::string& fr
     if (there != here) return there > here ? 0 : -1;
     const auto a = coordinateOf(file, from, kind), b = coordinateOf(file, to, kind);
     if (!a || !b || here < 2) return std::nullopt;
+    constexpr double kSame = 0.1;  // Of a step.
     const Slab two{{0}, {2}};
     const std::vector<double> others = file.read<double>(*a, two), own = file.read<double>(*b, two);
-    if (others[0] == own[0]) return std::nullopt;
-    return (others[0] < own[0]) == (own[0] < own[1]) ? 0 : -1;
+    const double step = own[1] - own[0];
+    double apart = others[0] - own[0];
+    if (kind == CoordinateKind::x && isInDegrees(file, *b)) apart -= 360 * std::round(apart / 360);
+    if (apart == 0) apart = onlyNumber(file, *a, "c_grid_axis_shift", 0) * step;  // Of xgcm, whose places are indices.
+    if (!(std::abs(apart) >= kSame * std::abs(step))) return std::nullopt;
+    return (apart < 0) == (step > 0) ? 0 : -1;
 }
 
 /// The means of two neighbours along an axis.

@@ -38,6 +38,15 @@ bool isTimeDimension(const NetcdfFile& file, const std::string& dimension)
     return isTimeName(dimension) || (file.has(dimension) && coordinateKindOf(file, dimension) == CoordinateKind::time);
 }
 
+/// Members of an ensemble, of which the first is read.
+bool isEnsemble(const NetcdfFile& file, const std::string& dimension)
+{
+    constexpr std::string_view names[] = {"number", "realization", "member", "ensemble", "ens", "expver"};
+    const std::string name = lowerCase(dimension);
+    return std::find(std::begin(names), std::end(names), name) != std::end(names) ||
+           (file.has(dimension) && attribute(file, dimension, "standard_name") == "realization");
+}
+
 /// The dimensions along which places of any kind stand in a row: meshes without a grid have them.
 std::set<std::string> rowsOfPlaces(const NetcdfFile& file)
 {
@@ -46,8 +55,9 @@ std::set<std::string> rowsOfPlaces(const NetcdfFile& file)
         const auto& dimensions = file.dimensions(name);
         if (dimensions.size() != 1 || dimensions[0] == name) continue;
         const CoordinateKind kind = coordinateKindOf(file, name);
-        if (kind == CoordinateKind::x) found[dimensions[0]] |= 1;
-        if (kind == CoordinateKind::y) found[dimensions[0]] |= 2;
+        const bool isAngle = attribute(file, name, "units").starts_with("rad");
+        if (kind == CoordinateKind::x || (isAngle && name.starts_with("lon"))) found[dimensions[0]] |= 1;
+        if (kind == CoordinateKind::y || (isAngle && name.starts_with("lat"))) found[dimensions[0]] |= 2;
     }
     std::set<std::string> rows;
     for (const auto& [dimension, kinds] : found)
@@ -75,15 +85,18 @@ std::optional<GridVariable> onGrid(const NetcdfFile& file, const std::string& na
 {
     const std::vector<std::string>& dimensions = file.dimensions(name);
     const std::vector<std::uint64_t> lengths = file.shape(name);
+    if (lengths.size() != dimensions.size()) return std::nullopt;
     GridVariable variable{name, {}, {}, {}};
     std::vector<std::size_t> at;
     for (std::size_t k = 0; k < dimensions.size(); ++k) {
-        if (!variable.time && isTimeDimension(file, dimensions[k]))
-            variable.time = k;
-        else
+        if (lengths[k] == 0) return std::nullopt;
+        if (isTimeDimension(file, dimensions[k]))
+            variable.time = k;  // Of a run's beginning and its times the latter, which come behind it.
+        else if (!isEnsemble(file, dimensions[k]))
             at.push_back(k);
-        if (rows.contains(dimensions[k]) || lengths[k] == 0) return std::nullopt;
     }
+    if (std::any_of(at.begin(), at.end(), [&](std::size_t k) { return rows.contains(dimensions[k]); }))
+        return std::nullopt;
     while (at.size() > 3 && lengths[at.front()] == 1) at.erase(at.begin());
     if (at.size() > 3 && !variable.time) {  // Such as months, of which no unit tells.
         variable.time = at.front();
@@ -96,7 +109,7 @@ std::optional<GridVariable> onGrid(const NetcdfFile& file, const std::string& na
         return kind == CoordinateKind::x ? 2 : kind == CoordinateKind::y ? 1 : 0;
     };
     const int ranks = std::accumulate(at.begin(), at.end(), 0, [&](int sum, std::size_t k) { return sum + rankOf(k); });
-    if (ranks == 3)  // Else the usual order.
+    if (ranks == 3)  // Where nothing tells them, the dimensions are in the usual order.
         std::stable_sort(at.begin(), at.end(), [&](std::size_t a, std::size_t b) { return rankOf(a) < rankOf(b); });
     if (lengths[at[at.size() - 1]] < 2 || lengths[at[at.size() - 2]] < 2) return std::nullopt;
     for (const std::size_t k : at) variable.axes.push_back(dimensions[k]);
@@ -104,13 +117,29 @@ std::optional<GridVariable> onGrid(const NetcdfFile& file, const std::string& na
     return variable;
 }
 
-/// The name of the component after that of `name`, where there is one: "v10" of "u10", "wind_y" of "wind_x". `letters`
-/// are those of the axes.
+/// A name with another letter at one place: "v10" of "u10", "wind_y" of "wind_x".
 std::string withLetter(const std::string& name, std::size_t at, char letter)
 {
     std::string other = name;
     other[at] = letter;
     return other;
+}
+
+/// Whether the unit is that of a velocity, a flux or a stress.
+bool isOfFlow(const std::string& units)
+{
+    constexpr std::string_view parts[] = {"s-1", "s**-1", "s^-1", "s^{-1}",  "/s",  "second",
+                                          "Pa",  "N m-2", "N/m",  "N m**-2", "knot"};
+    return std::any_of(std::begin(parts), std::end(parts),
+                       [&](std::string_view part) { return units.find(part) != std::string::npos; });
+}
+
+/// Two names that differ in the letter of an axis may be those of anything: of masks, of factors, of nitrogen oxides.
+bool mayBeFlow(const NetcdfFile& file, const std::string& u, const std::string& v)
+{
+    const std::string units = attribute(file, u, "units");
+    if (units != attribute(file, v, "units")) return false;
+    return units.empty() ? lowerCase(u).find("mask") == std::string::npos : isOfFlow(units);
 }
 
 class VectorSearch {
@@ -132,13 +161,13 @@ private:
                 const bool anywhere = lowerCase(std::string(letters)) == "uvw";
                 if (name[at] != letters[0] || (!anywhere && at != 0 && at + 1 != name.size())) continue;
                 const auto v = find(withLetter(name, at, letters[1]));
-                if (!v || !add(u, *v, name.substr(0, at) + std::string(letters.substr(0, 2)) + name.substr(at + 1)))
+                if (!v || !mayBeFlow(file_, name, all_.variables[*v].name) ||
+                    !add(u, *v, name.substr(0, at) + std::string(letters.substr(0, 2)) + name.substr(at + 1)))
                     continue;
                 GridVector& made = all_.vectors.back();
                 const auto w = find(withLetter(name, at, letters[2]));
-                const auto x = coordinateOf(file_, made.axes.back(), CoordinateKind::x);
                 // Of a map the third component has another unit than the places.
-                if (w && made.axes.size() == 3 && !(x && isInDegrees(file_, *x)) &&
+                if (w && made.axes.size() == 3 && !isMap(made.axes, name) &&
                     isStaggered(file_, all_.variables[*w].axes, made.axes)) {
                     made.of.push_back(*w);
                     made.name.insert(at + 2, 1, letters[2]);
@@ -170,6 +199,13 @@ private:
         if (v) add(u, *v, rest);
     }
 
+    bool isMap(const GridAxes& axes, const std::string& of) const
+    {
+        const auto plane = planeOf(file_, axes, of);
+        const auto x = coordinateOf(file_, axes.back(), CoordinateKind::x);
+        return (plane && isInDegrees(file_, plane->x)) || (x && isInDegrees(file_, *x));
+    }
+
     std::optional<std::size_t> find(const std::string& name) const
     {
         for (std::size_t i = 0; i < all_.variables.size(); ++i)
@@ -185,9 +221,15 @@ private:
         axes.back() = up.back();
         if (!isStaggered(file_, across, axes) || !isStaggered(file_, up, axes)) return false;
         while (file_.has(name)) name += "XYZ";
-        const bool isEastward =
-            attribute(file_, all_.variables[u].name, "standard_name").find("eastward") != std::string::npos;
-        all_.vectors.push_back({std::move(name), {u, v}, std::move(axes), isEastward});
+        const std::string& first = all_.variables[u].name;
+        const std::string standard = attribute(file_, first, "standard_name");
+        const bool isRelative = file_.numbers(first, "GRIB_uvRelativeToGrid") == std::vector<double>{1};
+        const bool isEastward = standard.find("eastward") != std::string::npos && !standard.starts_with("grid_");
+        all_.vectors.push_back({std::move(name),
+                                {u, v},
+                                std::move(axes),
+                                isEastward && !isRelative,
+                                isOfFlow(attribute(file_, first, "units"))});
         used_.insert({u, v});
         return true;
     }
@@ -233,6 +275,30 @@ bool isInDegrees(const NetcdfFile& file, const std::string& variable)
     return attribute(file, variable, "units").starts_with("degree");
 }
 
+std::optional<PlaneNames> planeOf(const NetcdfFile& file, const GridAxes& axes, const std::string& of)
+{
+    const std::string named = " " + attribute(file, of, "coordinates") + " ";
+    const auto fits = [&](const std::string& name, int pass) {
+        const GridAxes& own = file.dimensions(name);
+        if (own.size() < 2 || !file.type(name)) return false;
+        if (pass == 0 && named.find(" " + name + " ") == std::string::npos) return false;
+        for (std::size_t k = 1; k <= 2; ++k) {
+            const std::string &a = own[own.size() - k], &b = axes[axes.size() - k];
+            if (a != b && (pass < 2 || file.dimension(a) != file.dimension(b))) return false;
+        }
+        return true;
+    };
+    for (const int pass : {0, 1, 2})
+        for (const std::string& x : file.variables()) {
+            if (!fits(x, pass) || coordinateKindOf(file, x) != CoordinateKind::x) continue;
+            for (const std::string& y : file.variables())
+                if (fits(y, pass) && coordinateKindOf(file, y) == CoordinateKind::y &&
+                    file.dimensions(y) == file.dimensions(x))
+                    return PlaneNames{x, y, pass == 0};
+        }
+    return std::nullopt;
+}
+
 std::optional<std::string> coordinateOf(const NetcdfFile& file, const std::string& dimension, CoordinateKind kind)
 {
     const auto isRow = [&](const std::string& name) {
@@ -273,6 +339,15 @@ GridVariables gridVariablesOf(const NetcdfFile& file)
         }
         all.variables.push_back(std::move(*variable));
     }
+    const auto isEmptyTime = [&](const std::string& name) {
+        const std::vector<std::string>& dimensions = file.dimensions(name);
+        return std::any_of(dimensions.begin(), dimensions.end(), [&](const std::string& dimension) {
+            return isTimeDimension(file, dimension) && file.dimension(dimension).value_or(1) == 0;
+        });
+    };
+    const std::vector<std::string> names = file.variables();
+    if (all.variables.empty() && std::any_of(names.begin(), names.end(), isEmptyTime))
+        file.fail("it has no step of time", "one");
     if (all.variables.empty())
         file.fail(rows.empty() ? "it has no variable on a grid"
                                : "its values stand on a mesh without a grid, along '" + *rows.begin() + "'",

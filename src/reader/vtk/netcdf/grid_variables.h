@@ -29,6 +29,7 @@ struct GridVector {
     /// own direction (the C grid of Arakawa and Lamb 1977).
     GridAxes axes;
     bool isEastward = false;  ///< The components are those towards east and north, not along the grid's lines.
+    bool isFlow = false;      ///< Its unit is that of a flow or a stress.
 };
 
 /// What a netCDF file holds on grids of two or three dimensions, by the CF conventions (version 1.11, chapters 4 and
@@ -48,6 +49,15 @@ CoordinateKind coordinateKindOf(const NetcdfFile& file, const std::string& varia
 
 /// Its unit is a degree.
 bool isInDegrees(const NetcdfFile& file, const std::string& variable);
+
+/// The longitudes or x, and the latitudes or y, of a curvilinear grid's points: variables over its y and x, perhaps
+/// also over time. Those that the attribute `coordinates` of the variable `of` names go first, then those over
+/// dimensions of the same names, then those over dimensions of the same lengths.
+struct PlaneNames {
+    std::string x, y;
+    bool areNamed = false;  ///< By that attribute.
+};
+std::optional<PlaneNames> planeOf(const NetcdfFile& file, const GridAxes& axes, const std::string& of);
 
 /// The coordinates along a dimension: of the dimension's name, or the only variable of this kind over it.
 std::optional<std::string> coordinateOf(const NetcdfFile& file, const std::string& dimension, CoordinateKind kind);

@@ -15,15 +15,18 @@
 namespace aeolic {
 namespace {
 
-constexpr std::uint64_t kMostPoints = std::uint64_t(1) << 31;  // VTK counts a grid's points along an axis in int.
+constexpr std::uint64_t kMostPoints = std::uint64_t(1) << 31;
+constexpr std::uint64_t kFloatsBeside = 9;  // For each point, while an array is made: places, packed numbers, a copy.
 
 class NetcdfGrid : public OwnReader {
 public:
     NetcdfGrid(const std::string& path, std::optional<double> time) : file_(path), all_(gridVariablesOf(file_))
     {
         // What is proposed first is a vector of the grid that all arrays together get.
-        std::stable_sort(all_.vectors.begin(), all_.vectors.end(),
-                         [&](const GridVector& a, const GridVector& b) { return pointsOf(a.axes) > pointsOf(b.axes); });
+        std::stable_sort(all_.vectors.begin(), all_.vectors.end(), [&](const GridVector& a, const GridVector& b) {
+            if (a.isFlow != b.isFlow) return a.isFlow;
+            return pointsOf(a.axes) > pointsOf(b.axes);
+        });
         for (const GridVector& vector : all_.vectors) arrays_.push_back({vector.name, true, 3, VTK_FLOAT});
         for (const GridVariable& variable : all_.variables) arrays_.push_back({variable.name, true, 1, VTK_FLOAT});
         for (const GridVariable& variable : all_.variables) steps_.push_back(stepAt(variable, time));
@@ -34,10 +37,7 @@ public:
     /// Those of the grid that is read if all arrays are kept.
     std::vector<double> times() const override
     {
-        const std::size_t first = leading(arrays_);
-        const std::size_t variable =
-            first < all_.vectors.size() ? all_.vectors[first].of[0] : first - all_.vectors.size();
-        const auto name = timeOf(all_.variables[variable]);
+        const auto name = timeOf(all_.variables[variableOf(leading(arrays_))]);
         return name ? all_.times.at(*name) : std::vector<double>{};
     }
 
@@ -46,17 +46,25 @@ public:
 
     vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
     {
-        const GridAxes& axes = axesOf(leading(kept));
-        const GridPlaces places = placesOf(file_, axes);
+        const std::size_t first = leading(kept);
+        const GridAxes& axes = axesOf(first);
+        const GridPlaces places = placesOf(file_, axes, all_.variables[variableOf(first)].name);
         if (places.count() > kMostPoints)
             file_.fail(fmt::format("a grid of {} points", places.count()), "at most 2^31");
+        std::uint64_t floats = kFloatsBeside;
+        for (const ArrayInfo& array : kept) floats += std::uint64_t(array.components);
         requireMemory(file_.path(),
                       fmt::format("a grid of {} x {} x {} points", places.columns(), places.rows(), places.layers()),
-                      places.count() * sizeof(float) * (kept.size() + 2));
+                      places.count() * sizeof(float) * floats);
         const auto data = dataSetOf(places);
         for (const ArrayInfo& array : kept) {
             const std::size_t i = indexOf(array);
-            if (i == arrays_.size() || !canStandOn(file_, axesOf(i), axes)) continue;
+            if (i == arrays_.size()) continue;
+            if (!canStandOn(file_, axesOf(i), axes)) {
+                if (kept.size() == arrays_.size()) continue;  // Nobody asked for this one.
+                file_.fail(fmt::format("'{}' stands on another grid than '{}'", array.name, arrays_[first].name),
+                           "arrays of one grid");
+            }
             const std::vector<float> values = i < all_.vectors.size()
                                                   ? vectorsOnGrid(file_, all_, all_.vectors[i], axes, places, steps_)
                                                   : valuesOnGrid(file_, all_.variables[i - all_.vectors.size()], axes,
@@ -83,6 +91,12 @@ private:
     {
         return array < all_.vectors.size() ? all_.vectors[array].axes
                                            : all_.variables[array - all_.vectors.size()].axes;
+    }
+
+    /// Of a vector its first component.
+    std::size_t variableOf(std::size_t array) const
+    {
+        return array < all_.vectors.size() ? all_.vectors[array].of[0] : array - all_.vectors.size();
     }
 
     std::uint64_t pointsOf(const GridAxes& axes) const
@@ -126,8 +140,8 @@ private:
 
     NetcdfFile file_;
     GridVariables all_;
-    std::vector<ArrayInfo> arrays_;   // The vectors, then the variables.
-    std::vector<std::size_t> steps_;  // Of each variable.
+    std::vector<ArrayInfo> arrays_;   // First the vectors, then the variables.
+    std::vector<std::size_t> steps_;  // Which step of each variable is read.
     std::vector<PartInfo> parts_;
 };
 
