@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "cli_testing.h"
 
 namespace aeolic {
@@ -39,6 +41,27 @@ TEST_F(Cli, ExtractTakesAScenesOwnFile)
     const Outcome outcome = aeolic("extract topology s.json -o b.csv");
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(fileText(folder_ / "a.csv"), fileText(folder_ / "b.csv"));
+}
+
+TEST_F(Cli, ProbeTellsWhatAPixelShows)
+{
+    const std::string scene = " --surface torus:2000 --field abc:16,16,16 --color-by abc:mag --size 90x70";
+    const Outcome found = aeolic("probe 45,20" + scene), none = aeolic("probe 0,0" + scene);
+    EXPECT_EQ(found.exitCode, 0) << found.err;
+    EXPECT_EQ(found.err, "");
+    for (const char* name : {"position ", "depth ", "surface           torus", "triangle ", "normal ", "vector ",
+                             "its length ", "along the surface ", "|abc| "})
+        EXPECT_NE(("\n" + found.out).find("\n" + std::string(name)), std::string::npos) << name << found.out;
+    EXPECT_EQ(none.exitCode, 0) << none.err;
+    EXPECT_EQ(none.out, "background\n");
+    for (const char* pixel : {"45", "45,", "45,20,3", "a,b", "4.5,2"}) {
+        const Outcome wrong = aeolic(std::string("probe ") + pixel + scene);
+        EXPECT_EQ(wrong.exitCode, 2);
+        EXPECT_EQ(wrong.err, fmt::format("aeolic: PIXEL: found '{}'; expected X,Y, counted from the upper left: "
+                                         "400,300\n",
+                                         pixel));
+    }
+    EXPECT_EQ(aeolic("probe 90,0" + scene).err, "aeolic: pick: pixel 90,0; expected 0,0 to 89,69\n");
 }
 
 }  // namespace

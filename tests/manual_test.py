@@ -7,7 +7,7 @@ import sys
 import unittest
 
 PROGRAM, FOLDER = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-COMMANDS = ["render", "extract", "info", "serve", "grab"]
+COMMANDS = ["render", "extract", "probe", "info", "serve", "grab"]
 
 
 def read(name):

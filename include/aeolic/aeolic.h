@@ -5,6 +5,7 @@
 #include "aeolic/data.h"
 #include "aeolic/error.h"
 #include "aeolic/live.h"
+#include "aeolic/pick.h"
 #include "aeolic/picture.h"
 #include "aeolic/plane.h"
 #include "aeolic/renderer.h"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "aeolic/data.h"
+#include "aeolic/pick.h"
 #include "aeolic/picture.h"
 #include "aeolic/scene_description.h"
 #include "aeolic/topology.h"
@@ -202,6 +203,12 @@ public:
     /// `shading.persistence`: what `shading.overlay` draws. The same on all ranks, and from any number of threads.
     /// Throws InputError where the surface or its field is in pieces. Cost: O(triangles), parallel, each time.
     FlowTopology topology();
+
+    /// What the picture shows at pixel (x, y), counted from the upper left; nothing on the background. `camera`:
+    /// another view than the description's first. The moment is the one that info().time tells. The same on all ranks.
+    /// Throws InputError for a pixel outside of the picture, and where the surface or its field is in pieces. Cost:
+    /// O(triangles), parallel; nothing is drawn.
+    std::optional<PickedPlace> pick(int x, int y, const std::optional<CameraOptions>& camera = {});
 
     const SceneInfo& info() const;
     const FrameStats& lastFrame() const;

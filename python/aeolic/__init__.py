@@ -12,12 +12,13 @@ from ._core import InputError, Picture, __version__
 from ._data import Grid, Surface, Volume
 from ._plane import lic2d
 from ._info import ArrayInfo, FileInfo, PartInfo, info
+from ._pick import PickedPlace
 from ._render import Renderer, render
 from ._show import Viewer
 from ._topology import Topology, TopologyLine, topology
 
-__all__ = ["ArrayInfo", "FileInfo", "Grid", "InputError", "PartInfo", "Picture", "Renderer", "Surface", "Topology", "TopologyLine",
-           "Viewer", "Volume", "info", "lic2d", "render", "topology"]
+__all__ = ["ArrayInfo", "FileInfo", "Grid", "InputError", "PartInfo", "PickedPlace", "Picture", "Renderer", "Surface", "Topology",
+           "TopologyLine", "Viewer", "Volume", "info", "lic2d", "render", "topology"]
 
 
 def _save(self, path):

@@ -11,6 +11,7 @@ from . import _core
 from ._checks import number, refuse_unknown, suggesting, whole
 from ._data import Grid, InputError, Surface, Volume
 from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, documented, scene_given, texts
+from ._pick import PickedPlace
 from ._show import Server, Viewer, in_notebook, proxy_text, served
 from ._surfaces import contexts_of, items_of
 from ._vectors import named_vectors, prepared
@@ -146,6 +147,12 @@ class Renderer:
         except ValueError:  # An array is neither true nor false.
             raise InputError("set_shown: found rows of several; expected a row of True and False") from None
         self._loaded.set_shown(switches)
+
+    def pick(self, x, y, camera=None):
+        """What the picture shows at pixel (x, y), counted from the upper left: a PickedPlace, or None on the background. camera
+        as for render(). Nothing is drawn. Raises InputError for a pixel outside of the picture."""
+        found = self._loaded.pick(x, y, camera_text(camera))
+        return found and PickedPlace(**found)
 
     def topology(self):
         """The Topology of the flow along the surface as it is shown now: its moment, its persistence. Raises InputError where

@@ -314,6 +314,28 @@ FlowTopology Loaded::topology()
     return alone([&] { return renderer_->topology(); });
 }
 
+py::object Loaded::pick(int x, int y, const std::optional<std::string>& camera)
+{
+    const std::optional<PickedPlace> place = alone([&] {
+        return renderer_->pick(x, y, camera ? changed(scene_, {{"--camera", *camera}}).camera : scene_.camera);
+    });
+    if (!place) return py::none();
+    const auto vector = [](const std::optional<Vec3>& v) {
+        return v ? py::object(py::make_tuple((*v)[0], (*v)[1], (*v)[2])) : py::none();
+    };
+    py::dict told;
+    told["position"] = vector(place->position);
+    told["depth"] = place->depth;
+    told["normal"] = vector(place->normal);
+    told["triangle"] = place->triangle;
+    told["surface"] = textOf(place->surface);
+    told["vector"] = vector(place->vector);
+    told["tangential"] = vector(place->tangential);
+    told["scalar"] = place->scalar;
+    told["scalar_name"] = place->scalarName.empty() ? py::object(py::none()) : py::object(textOf(place->scalarName));
+    return told;
+}
+
 std::string Loaded::stats()
 {
     return alone([&] {

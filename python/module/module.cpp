@@ -115,6 +115,7 @@ void addLoaded(py::module_& module)
         .def("warnings", &Loaded::warnings)
         .def("stats", &Loaded::stats)
         .def("topology", &Loaded::topology)
+        .def("pick", &Loaded::pick)
         .def("scene", &Loaded::scene);
 }
 

@@ -24,6 +24,7 @@ void addCommands(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
 {
     addRenderCommand(program, ranks);
     addExtractCommand(program, ranks);
+    addProbeCommand(program, ranks);
     addInfoCommand(program, ranks);
     addServeCommand(program, ranks);
     addGrabCommand(program, ranks);

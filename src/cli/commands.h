@@ -14,6 +14,9 @@ void addRenderCommand(CLI::App& program, const std::shared_ptr<Communicator>& ra
 /// Adds `aeolic extract`: writes what the flow has as points and lines.
 void addExtractCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
 
+/// Adds `aeolic probe`: tells what a picture shows at a pixel.
+void addProbeCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
+
 /// Adds `aeolic info`: says what a data file holds.
 void addInfoCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks);
 

@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "data/surface_range.h"
 #include "data/topology/point_flow.h"
 #include "data/topology/surface_topology.h"
+#include "engine/place_values.h"
 
 namespace aeolic {
 namespace {
@@ -21,28 +21,15 @@ public:
         glm::dvec3 vector(0);
         for (int i = 0; i < 3; ++i) vector += place.weight[i] * glm::dvec3(flow_.vectors[corners[std::size_t(i)]]);
         return {
-            {position.x, position.y, position.z}, {vector.x, vector.y, vector.z}, scalarAt(place, position, vector)};
+            {position.x, position.y, position.z}, {vector.x, vector.y, vector.z}, scalarOf(place, position, vector)};
     }
 
 private:
-    double scalarAt(const SurfacePlace& place, const glm::dvec3& position, const glm::dvec3& vector) const
+    double scalarOf(const SurfacePlace& place, const glm::dvec3& position, const glm::dvec3& vector) const
     {
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        const SurfaceMesh& mesh = flow_.mesh;
-        const SceneSurface* const surface =
-            mesh.surfaceOf.empty() ? nullptr : &scene_.surfaces[mesh.surfaceOf[mesh.triangles[place.triangle][0]]];
-        if (!scene_.hasScalar || (surface && surface->colors != 0)) return none;  // Colours of another array.
-        if (scene_.scalarFromField() && !(surface && surface->ownScalar)) {
-            if (scene_.colorByFieldMagnitude) return glm::length(vector);
-            const FieldVector found = vectorAt(*scene_.scalarField, position);
-            return found.inside ? found.vector.x : none;
-        }
-        if (!mesh.cellScalars.empty()) return mesh.cellScalars[place.triangle];
-        if (mesh.pointScalars.empty()) return none;
-        double sum = 0;
-        for (int i = 0; i < 3; ++i)
-            sum += place.weight[i] * double(mesh.pointScalars[mesh.triangles[place.triangle][std::size_t(i)]]);
-        return sum;
+        const SceneSurface* const surface = surfaceOf(scene_, flow_.mesh, place.triangle);
+        if (surface && surface->colors != 0) return std::numeric_limits<double>::quiet_NaN();  // Of another array.
+        return scalarAt(scene_, flow_.mesh, place, position, vector);
     }
 
     const Scene& scene_;

@@ -19,6 +19,7 @@
 #include "engine/flow_topology.h"
 #include "engine/renderer_internals.h"
 #include "engine/renderer_state.h"
+#include "engine/surface_pick.h"
 #include "engine/tile_picture.h"
 #include "version.h"
 
@@ -241,6 +242,27 @@ FlowTopology Renderer::topology()
         state.group.communicator(), "topology", [] { return std::string(); },
         [&] { requireWhole(state.scene(), "topology"); });
     return state.arena.execute([&] { return flowTopology(state.scene(), state.description.shading.persistence); });
+}
+
+std::optional<PickedPlace> Renderer::pick(int x, int y, const std::optional<CameraOptions>& camera)
+{
+    State& state = held();
+    const OutputOptions& size = state.description.output;
+    callTogether(
+        state.group.communicator(), "pick",
+        [&] {
+            SceneDescription changed = state.description;
+            if (camera) changed.camera = *camera;
+            return fmt::format("{},{} {}", x, y, groupText(changed, options::camera.key));
+        },
+        [&] {
+            if (x < 0 || y < 0 || x >= size.width || y >= size.height)
+                throw InputError("pick", fmt::format("pixel {},{}", x, y),
+                                 fmt::format("0,0 to {},{}", size.width - 1, size.height - 1));
+            requireWhole(state.scene(), "pick");
+        });
+    const Camera view = state.cameraOf(camera ? *camera : state.viewOfFrame(0));
+    return state.arena.execute([&] { return pickSurface(state.scene(), view, x, y); });
 }
 
 void Renderer::setSize(int width, int height)

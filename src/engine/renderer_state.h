@@ -71,6 +71,8 @@ struct Renderer::State {
     void start(const FrameSpec& spec);
     const StartedFrame& finish();
 
+    Camera cameraOf(const CameraOptions& options) const;
+
     /// The view of an animation's frame; of the only one, the description's.
     CameraOptions viewOfFrame(int index) const;
 
@@ -105,7 +107,6 @@ private:
     /// Starts a frame of that moment. `legend`: the corner that it has in an animation; else where this picture has
     /// room for it.
     void startView(const CameraOptions& camera, bool gather, double moment, std::optional<Corner> legend);
-    Camera cameraOf(const CameraOptions& options) const;
     /// What the options say now.
     void setLook(StartedFrame& frame);
     void makeBackend();

@@ -10,7 +10,7 @@ namespace aeolic {
 void requireWhole(const Scene& scene, const char* option)
 {
     if (scene.inPieces || scene.bricked())
-        throw InputError(option, "topology of a surface in pieces",
+        throw InputError(option, "the surface or its field is in pieces",
                          "--bricks off, and room for the whole scene on each rank");
 }
 

@@ -7,7 +7,7 @@
 
 namespace aeolic {
 
-/// Throws InputError where the scene is in pieces, of which none knows the topology. `option`: what asks for it.
+/// Throws InputError where the scene is in pieces, of which none knows the whole. `option`: what asks for it.
 void requireWhole(const Scene& scene, const char* option);
 
 /// Throws InputError where the scene cannot have the overlay that the options ask for.

@@ -181,7 +181,7 @@ TEST(SceneOverlay, ASurfaceInPiecesIsRefused)
     scene.run.backend = BackendChoice::cpu;
     scene.run.bricks = BrickChoice::on;
     EXPECT_EQ(complaintOf(scene, 2),
-              "--overlay: topology of a surface in pieces; expected --bricks off, and room for "
+              "--overlay: the surface or its field is in pieces; expected --bricks off, and room for "
               "the whole scene on each rank");
     scene.run.bricks = BrickChoice::off;
     EXPECT_EQ(complaintOf(scene, 2), "");

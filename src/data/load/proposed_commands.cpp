@@ -285,6 +285,7 @@ ProposedCommands proposedCommands(const std::string& path, const FileSummary& su
         commands.push_back("--field " + file + vectors + " --surface boundary" + scalar);
     }
     std::vector<std::string> all;
+    all.reserve(commands.size() + 2);
     for (const std::string& command : commands) all.push_back(command + last);
     if (steps.size() > 1) {
         const std::string& command = summary.parts.empty() ? commands.back() : commands.front();

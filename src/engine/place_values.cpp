@@ -1,0 +1,54 @@
+#include "engine/place_values.h"
+
+#include <limits>
+
+#include "data/surface_range.h"
+
+namespace aeolic {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// The mean of the corners' values by their weights.
+template <class Value, class Wide>
+Wide between(const SurfaceMesh& mesh, const SurfacePlace& place, const std::vector<Value>& ofPoints, Wide sum)
+{
+    for (int i = 0; i < 3; ++i) sum += place.weight[i] * Wide(ofPoints[mesh.triangles[place.triangle][std::size_t(i)]]);
+    return sum;
+}
+
+}  // namespace
+
+const SceneSurface* surfaceOf(const Scene& scene, const SurfaceMesh& mesh, std::uint32_t triangle)
+{
+    return mesh.surfaceOf.empty() ? nullptr : &scene.surfaces[mesh.surfaceOf[mesh.triangles[triangle][0]]];
+}
+
+double scalarAt(const Scene& scene, const SurfaceMesh& mesh, const SurfacePlace& place, const glm::dvec3& position,
+                const glm::dvec3& vector)
+{
+    const SceneSurface* const surface = surfaceOf(scene, mesh, place.triangle);
+    if (!scene.hasScalar || (surface && surface->colors == SceneSurface::kPlain)) return kNone;
+    if (scene.scalarFromField() && !(surface && surface->ownScalar)) {
+        if (scene.colorByFieldMagnitude) return glm::length(vector);
+        const FieldVector found = vectorAt(*scene.scalarField, position);
+        return found.inside ? found.vector.x : kNone;
+    }
+    if (!mesh.cellScalars.empty()) return mesh.cellScalars[place.triangle];
+    return mesh.pointScalars.empty() ? kNone : between(mesh, place, mesh.pointScalars, 0.0);
+}
+
+glm::dvec3 vectorAt(const Scene& scene, const SurfacePlace& place, const glm::dvec3& position)
+{
+    const SurfaceMesh& mesh = scene.surface;
+    const SceneSurface* const surface = surfaceOf(scene, mesh, place.triangle);
+    if (surface && !surface->streaks) return glm::dvec3(kNone);
+    if (scene.field && !(surface && surface->ownVectors)) {
+        const FieldVector found = vectorAt(*scene.field, position);
+        return found.inside ? found.vector : glm::dvec3(kNone);
+    }
+    if (!mesh.cellVectors.empty()) return mesh.cellVectors[place.triangle];
+    return mesh.pointVectors.empty() ? glm::dvec3(kNone) : between(mesh, place, mesh.pointVectors, glm::dvec3(0));
+}
+
+}  // namespace aeolic
