@@ -1,4 +1,5 @@
 """The skeleton of the flow on a surface, as numpy arrays."""
+import os
 from typing import Any, NamedTuple, Optional
 
 from . import _core
@@ -37,9 +38,10 @@ class Topology:
         """Writes a .vtp or .csv file, as `aeolic extract topology` does. Raises InputError for another kind of name, OSError
         if the file cannot be written."""
         name = path_of("path", path)
-        if not name.lower().endswith((".vtp", ".csv")):
-            raise InputError(f"path: found '{name}'; expected a name ending in .vtp or .csv")
-        self._core.save(name, name.lower().endswith(".csv"))
+        ending = os.path.splitext(os.fsdecode(name))[1].lower()
+        if ending not in (".vtp", ".csv"):
+            raise InputError(f"path: found '{os.fsdecode(name)}'; expected a name ending in .vtp or .csv")
+        self._core.save(name, ending == ".csv")
 
     def __repr__(self):
         return f"<aeolic.Topology of {len(self.kinds)} points and {len(self.lines)} lines>"

@@ -67,6 +67,17 @@ class FileInfo(NamedTuple):
     vectors: str | None
     suggestions: tuple[str, ...]
 
+class PickedPlace(NamedTuple):
+    position: tuple[float, float, float]
+    depth: float
+    normal: tuple[float, float, float]
+    triangle: int
+    surface: str
+    vector: tuple[float, float, float] | None
+    tangential: tuple[float, float, float] | None
+    scalar: float | None
+    scalar_name: str | None
+
 class TopologyLine(NamedTuple):
     kind: str
     saddle: int
@@ -127,6 +138,7 @@ def stub():
             "    def set_data(self, surface: Surface | Any | None = ..., field: Grid | Volume | Any | None = ...,\n"
             "                 progress: Callable[[str, float], Any] | None = ...) -> None: ...\n"
             "    def set_shown(self, shown: Sequence[bool]) -> None: ...\n"
+            "    def pick(self, x: int, y: int, camera: Mapping[str, Any] | str | None = ...) -> PickedPlace | None: ...\n"
             "    def topology(self) -> Topology: ...\n"
             "    @property\n    def time(self) -> float: ...\n    @time.setter\n    def time(self, moment: float) -> None: ...\n" +
             "    @property\n    def times(self) -> tuple[float, ...]: ...\n" +

@@ -90,6 +90,53 @@ std::vector<Start> startsAroundPoint(const SurfaceMesh& mesh, const SurfaceFans&
     return starts;
 }
 
+/// Those directions of a triangle that lead from a place on its side, before the corner `opposite`, into it, or along
+/// the side.
+void addStartsInto(const FlatTriangle& flat, std::uint32_t triangle, int opposite, const glm::dvec3& from,
+                   bool takesSide, std::vector<Start>& starts)
+{
+    constexpr double alongSide = 1e-9;
+    const std::array<glm::dvec2, 2> along = eigenvectors(flat.derivative());
+    const double side = glm::length(flat.point[1] - flat.point[0]);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const glm::dvec2 way = (k % 2 == 0 ? 1.0 : -1.0) * along[k / 2];
+        glm::dvec3 weight = flat.weightsOf(flat.at(from) + kBesideSaddle * side * way);
+        const double inwards = weight[opposite] - from[opposite];
+        if (inwards < -alongSide || (inwards <= alongSide && !takesSide)) continue;
+        weight = glm::max(weight, glm::dvec3(0));
+        starts.push_back({{triangle, weight / (weight.x + weight.y + weight.z)}, k < 2 ? 1 : -1});
+    }
+}
+
+/// The starts of a saddle on a side, or nearly so: each of the two triangles takes the directions that lead into it.
+std::vector<Start> startsAcrossSide(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
+                                    const SurfacePlace& at, int opposite)
+{
+    std::vector<Start> starts;
+    const int first = (opposite + 1) % 3, second = (opposite + 2) % 3;
+    glm::dvec3 onSide = at.weight;
+    onSide[opposite] = 0;
+    onSide /= onSide[first] + onSide[second];
+    addStartsInto(FlatTriangle(mesh, fans, field, at.triangle), at.triangle, opposite, onSide, true, starts);
+    const std::uint32_t twin = fans.twin[3 * at.triangle + std::uint32_t(first)];
+    if (twin == SurfaceFans::kNone || field.masked[twin / 3]) return starts;
+    const int begin = int(twin % 3), end = (begin + 1) % 3;  // The side runs the other way round here.
+    glm::dvec3 there(0);
+    there[begin] = onSide[second];
+    there[end] = onSide[first];
+    addStartsInto(FlatTriangle(mesh, fans, field, twin / 3), twin / 3, (begin + 2) % 3, there, false, starts);
+    return starts;
+}
+
+/// The corner before which a place lies on a side of the triangle, or so near that a start would leave it.
+std::optional<int> sideAt(const SurfacePlace& place)
+{
+    int least = 0;
+    for (int i = 1; i < 3; ++i)
+        if (place.weight[i] < place.weight[least]) least = i;
+    return place.weight[least] < 2 * kBesideSaddle ? std::optional(least) : std::nullopt;
+}
+
 /// The corner of the triangle that a place is at.
 std::optional<std::uint32_t> cornerAt(const SurfacePlace& place)
 {
@@ -111,8 +158,10 @@ std::vector<Separatrix> separatrices(const SurfaceMesh& mesh, const SurfaceFans&
     parallelFor(saddles.size(), [&](std::size_t s) {
         const CriticalPoint& saddle = points[saddles[s]];
         const auto corner = cornerAt(saddle.place);
+        const auto side = sideAt(saddle.place);
         const std::vector<Start> starts =
             corner ? startsAroundPoint(mesh, fans, field, *corner)
+            : side ? startsAcrossSide(mesh, fans, field, saddle.place, *side)
                    : startsInTriangle(FlatTriangle(mesh, fans, field, saddle.place.triangle), saddle);
         for (const Start& start : starts)
             found[s].push_back({saddles[s], start.direction, tracer.trace(start.place, start.direction, longestWorld)});

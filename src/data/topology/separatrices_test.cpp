@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "data/builtin/surfaces.h"
 
@@ -37,6 +39,41 @@ TEST(Separatrices, OfASaddleOnAPlaneAreItsAxes)
         ends += last.x + last.y;
     }
     EXPECT_NEAR(ends, 2 * zero.x + 2 * zero.y, 1e-3);  // One to either side of the plane, each way.
+}
+
+/// Columns of points run through the saddle: two of its lines leave the triangle that it is found in at once.
+TEST(Separatrices, OfASaddleOnASideLeaveToBothSides)
+{
+    SurfaceMesh mesh;
+    constexpr int kPoints = 21;
+    std::vector<glm::vec3> vectors;
+    for (int y = 0; y < kPoints; ++y)
+        for (int x = 0; x < kPoints; ++x) {
+            const glm::vec3 p(0.1f * float(x - 10), 0.1f * float(y - 10), 0);
+            mesh.positions.push_back(p);
+            mesh.normals.emplace_back(0, 0, 1);
+            vectors.emplace_back(-p.x, p.y - 0.01f, 0);
+        }
+    for (std::uint32_t y = 0; y + 1 < kPoints; ++y)
+        for (std::uint32_t x = 0; x + 1 < kPoints; ++x) {
+            const std::uint32_t corner = kPoints * y + x;
+            mesh.triangles.push_back({corner, corner + 1, corner + kPoints + 1});
+            mesh.triangles.push_back({corner, corner + kPoints + 1, corner + kPoints});
+        }
+    const SurfaceFans fans = surfaceFans(mesh);
+    const TangentField field = tangentField(mesh, fans, vectors);
+    const std::vector<CriticalPoint> points = criticalPoints(mesh, fans, field);
+    ASSERT_EQ(points.size(), 1u);
+    const SurfaceTracer tracer(mesh, fans, field);
+    std::vector<glm::dvec3> ends;
+    for (const Separatrix& separatrix : separatrices(mesh, fans, field, points, 100)) {
+        EXPECT_EQ(separatrix.line.end, LineEnd::boundary);
+        ends.push_back(tracer.positionWorld(separatrix.line.places.back()));
+    }
+    ASSERT_EQ(ends.size(), 4u);
+    std::sort(ends.begin(), ends.end(), [](const glm::dvec3& a, const glm::dvec3& b) { return a.x + a.y < b.x + b.y; });
+    for (const auto& [i, x, y] : {std::tuple{0, 0.0, -1.0}, {1, -1.0, 0.01}, {2, 0.0, 1.0}, {3, 1.0, 0.01}})
+        EXPECT_NEAR(glm::distance(ends[std::size_t(i)], glm::dvec3(x, y, 0)), 0, 1e-4) << i;
 }
 
 TEST(Separatrices, RunFromSourcesThroughSaddlesToSinks)

@@ -56,7 +56,7 @@ VectorKind kindOf(const ArrayInfo& array)
     const bool isByte =
         array.vtkType == VTK_CHAR || array.vtkType == VTK_SIGNED_CHAR || array.vtkType == VTK_UNSIGNED_CHAR;
     if (array.activeNormals || isByte || isMaskName(array.name)) return VectorKind::none;
-    for (const char* other : {"Normals", "TCoords", "TextureCoordinates", "Texture Coordinates"})
+    for (const char* other : {"Normals", "TCoords", "TextureCoords", "TextureCoordinates", "Texture Coordinates"})
         if (array.name == other) return VectorKind::none;
     if (array.components == 2) return isFloat ? VectorKind::flat : VectorKind::none;
     if (array.components != 3) return VectorKind::none;
