@@ -76,7 +76,7 @@ std::optional<Hit> nearestHit(const Scene& scene, const Camera& camera, const Ra
 
 Vec3 toVec3(const glm::dvec3& v)
 {
-    return {v.x, v.y, v.z};
+    return {v.x + 0.0, v.y + 0.0, v.z + 0.0};  // Without zeros that are negative.
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ vtkSmartPointer<vtkDataObject> FileReader::data(const ReadRequest& request, cons
 {
     const ReaderProcess::Answer answer = ask(PacketKind::read, request, what, progress);
     ByteReader message(answer.text);
-    const auto data = readData(message, answer.memory, path_);
+    auto data = readData(message, answer.memory, path_);
     if (!data) throw InputError(path_, "nothing could be read", "a complete, undamaged file");
     requireSoundData(*data, path_);
     return data;

@@ -99,6 +99,7 @@ public:
         if (count > 0)
             file_->sound(cgio_children_names(file_->number(), id_, 1, count, kNameLength, &found, texts.data()));
         std::vector<std::string> names;
+        names.reserve(std::size_t(std::max(found, 0)));
         for (int i = 0; i < found; ++i) names.push_back(withoutFilling(texts.data() + std::size_t(i) * kNameLength));
         return names;
     }

@@ -252,6 +252,7 @@ std::vector<PartCells> CgnsZone::polyhedra() const
             for (const CgnsSection& other : sections_)
                 if (other.type == kCgnsNgon) polygons.emplace_back(&other, facesByNumber(other));
         std::vector<std::vector<std::uint8_t>> uses;
+        uses.reserve(polygons.size());
         for (const auto& [other, faces] : polygons) uses.emplace_back(faces.count(), std::uint8_t{0});
         const Wholes numbers = connectivity(section);
         const auto ends = offsets(section);

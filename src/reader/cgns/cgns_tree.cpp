@@ -89,7 +89,8 @@ std::vector<double> CgnsNode::reals() const
 }
 
 template <class Number>
-std::vector<Number> CgnsNode::read(std::vector<std::uint64_t> first, std::vector<std::uint64_t> count) const
+std::vector<Number> CgnsNode::read(const std::vector<std::uint64_t>& first,
+                                   const std::vector<std::uint64_t>& count) const
 {
     if (!hasValue()) fail("it holds nothing", "numbers");
     std::vector<Number> values;
@@ -102,8 +103,9 @@ void CgnsNode::fail(const std::string& found, const std::string& expected) const
     throw InputError(file(), fmt::format("'{}': {}", object_->name(), found), expected);
 }
 
-template std::vector<float> CgnsNode::read(std::vector<std::uint64_t>, std::vector<std::uint64_t>) const;
-template std::vector<double> CgnsNode::read(std::vector<std::uint64_t>, std::vector<std::uint64_t>) const;
-template std::vector<std::int64_t> CgnsNode::read(std::vector<std::uint64_t>, std::vector<std::uint64_t>) const;
+template std::vector<float> CgnsNode::read(const std::vector<std::uint64_t>&, const std::vector<std::uint64_t>&) const;
+template std::vector<double> CgnsNode::read(const std::vector<std::uint64_t>&, const std::vector<std::uint64_t>&) const;
+template std::vector<std::int64_t> CgnsNode::read(const std::vector<std::uint64_t>&,
+                                                  const std::vector<std::uint64_t>&) const;
 
 }  // namespace aeolic

@@ -35,7 +35,7 @@ public:
     std::vector<std::int64_t> wholes() const;  ///< Throws where the value is no whole numbers.
     std::vector<double> reals() const;
     template <class Number>
-    std::vector<Number> read(std::vector<std::uint64_t> first, std::vector<std::uint64_t> count) const;
+    std::vector<Number> read(const std::vector<std::uint64_t>& first, const std::vector<std::uint64_t>& count) const;
 
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 

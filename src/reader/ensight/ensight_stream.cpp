@@ -128,7 +128,7 @@ std::string EnSightStream::line()
     }
     if (format_.encoding == EnSightEncoding::fortran) requireMarker(kRecord, "a line of text");
     if (data_.size() - at_ < kRecord) fail("the file is cut off", "80 bytes of text");
-    const std::string text = trimmed(at_, at_ + kRecord);
+    std::string text = trimmed(at_, at_ + kRecord);
     at_ += kRecord;
     if (format_.encoding == EnSightEncoding::fortran) requireMarker(kRecord, "a line of text");
     return text;
