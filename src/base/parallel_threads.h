@@ -4,6 +4,9 @@
 /// instrumented, so what it synchronises would look like races, and real ones of our loops' bodies would drown among
 /// them.
 
+#include <tbb/task.h>
+#include <tbb/task_group.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -21,9 +24,12 @@ void parallelFor(std::size_t count, const Body& body)
     std::atomic<std::size_t> next{0};
     std::exception_ptr failure;
     std::mutex failureMutex;
+    // A loop within a group of tasks that is cancelled skips what it has not begun, as oneTBB's do.
+    tbb::task_group_context* const group = tbb::task::current_context();
+    const auto isCancelled = [&] { return group && group->is_group_execution_cancelled(); };
     const auto work = [&] {
         try {
-            for (std::size_t i = next++; i < count; i = next++) body(i);
+            for (std::size_t i = next++; i < count && !isCancelled(); i = next++) body(i);
         } catch (...) {
             const std::lock_guard lock(failureMutex);
             failure = std::current_exception();

@@ -162,9 +162,6 @@ TEST(PlaneLic, WhatIsAskedToStopWritesNoMore)
 
 TEST(PlaneLic, StopsWhileItIsAtWork)
 {
-#if defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "the loops of this build are no tasks of oneTBB, which is what stops them (base/parallel.h)";
-#endif
     const Plane plane(1000, 1000, 1, 0.3F);
     const float before = -7;
     std::vector<float> values(plane.pixels(), before);
