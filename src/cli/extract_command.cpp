@@ -19,7 +19,9 @@ namespace {
 
 struct ExtractCommand {
     ExtractCommand(CLI::App& command, std::shared_ptr<Communicator> theRanks)
-        : what(addWhat(command)), sceneOptions(command), ranks(std::move(theRanks))
+        : what(addFirstWord(command, "WHAT", "topology: critical points, and lines of separation and attachment")),
+          sceneOptions(command),
+          ranks(std::move(theRanks))
     {
         command
             .add_option("-o,--output", outputPath,
@@ -31,20 +33,10 @@ struct ExtractCommand {
 
     void run() const;
 
-    std::shared_ptr<std::string> what;  // Before the scene options: its place is before the scene file's.
+    std::shared_ptr<std::string> what;
     SceneOptions sceneOptions;
     std::shared_ptr<Communicator> ranks;
     std::string outputPath;
-
-private:
-    static std::shared_ptr<std::string> addWhat(CLI::App& command)
-    {
-        auto text = std::make_shared<std::string>();
-        command.add_option("WHAT", *text, "topology: critical points, and lines of separation and attachment")
-            ->required()
-            ->type_name("");
-        return text;
-    }
 };
 
 void ExtractCommand::run() const

@@ -45,25 +45,17 @@ double lengthOf(const Vec3& v)
 
 struct ProbeCommand {
     ProbeCommand(CLI::App& command, std::shared_ptr<Communicator> theRanks)
-        : pixel(addPixel(command)), sceneOptions(command), ranks(std::move(theRanks))
+        : pixel(addFirstWord(command, "PIXEL", "X,Y, counted from the upper left of the picture: 400,300")),
+          sceneOptions(command),
+          ranks(std::move(theRanks))
     {
     }
 
     void run() const;
 
-    std::shared_ptr<std::string> pixel;  // Before the scene options: its place is before the scene file's.
+    std::shared_ptr<std::string> pixel;
     SceneOptions sceneOptions;
     std::shared_ptr<Communicator> ranks;
-
-private:
-    static std::shared_ptr<std::string> addPixel(CLI::App& command)
-    {
-        auto text = std::make_shared<std::string>();
-        command.add_option("PIXEL", *text, "X,Y, counted from the upper left of the picture: 400,300")
-            ->required()
-            ->type_name("");
-        return text;
-    }
 };
 
 void tell(const PickedPlace& place, const SceneInfo& info)

@@ -31,6 +31,13 @@ std::string wrapped(const std::string& text)
     return lines;
 }
 
+std::shared_ptr<std::string> addFirstWord(CLI::App& command, const std::string& name, const std::string& help)
+{
+    auto text = std::make_shared<std::string>();
+    command.add_option(name, *text, help)->required()->type_name("");
+    return text;
+}
+
 SceneOptions::SceneOptions(CLI::App& command) : command_(command)
 {
     command.add_option("SCENE.json", sceneFile_, "a scene file; the options override what it says")->type_name("");

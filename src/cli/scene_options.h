@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@ namespace aeolic {
 
 /// The text of a help in lines that stay beside CLI11's column of names. Its own line breaks stay.
 std::string wrapped(const std::string& text);
+
+/// Adds a word that has to be typed, and that stands before the scene file: it is added before SceneOptions.
+std::shared_ptr<std::string> addFirstWord(CLI::App& command, const std::string& name, const std::string& help);
 
 /// The options that describe a scene, for every command that draws one: an optional scene file, and options that
 /// override it.

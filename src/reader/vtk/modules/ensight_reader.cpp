@@ -6,6 +6,7 @@
 #include <vtkDataArraySelection.h>
 #include <vtkGenericEnSightReader.h>
 #include <vtkInformation.h>
+#include <vtkInformationDoubleVectorKey.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkRemoveUnusedPoints.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -36,29 +37,28 @@ public:
     {
         reader_->SetCaseFileName(path.c_str());
         run([&] { reader_->UpdateInformation(); });
-        const vtkInformation& info = *reader_->GetOutputInformation(0);
-        auto* const key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-        if (const double* steps = const_cast<vtkInformation&>(info).Get(key))
-            times_.assign(steps, steps + const_cast<vtkInformation&>(info).Length(key));
-        if (!times_.empty()) time_ = time.value_or(times_.front());
-        readAll();
+        vtkInformation* const info = reader_->GetOutputInformation(0);
+        vtkInformationDoubleVectorKey* const key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+        if (const double* steps = info->Get(key)) times_.assign(steps, steps + info->Length(key));
+        if (!times_.empty())
+            info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), time.value_or(times_.front()));
     }
 
-    const std::vector<ArrayInfo>& arrays() const override { return arrays_; }
+    const std::vector<ArrayInfo>& arrays() const override { return step().arrays; }
     std::vector<double> times() const override { return times_; }
-    const std::vector<PartInfo>& parts() const override { return parts_; }
+    const std::vector<PartInfo>& parts() const override { return step().parts; }
     void keepParts(std::vector<std::string> wanted) override { wanted_ = std::move(wanted); }
 
     vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
     {
         auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-        for (const std::size_t part : chosenParts(parts_, wanted_, use_, path_)) {
-            const auto block = vtkSmartPointer<vtkDataSet>::Take(blocks_[part]->NewInstance());
-            block->ShallowCopy(blocks_[part]);
+        for (const std::size_t part : chosenParts(step().parts, wanted_, use_, path_)) {
+            const auto block = vtkSmartPointer<vtkDataSet>::Take(step().blocks[part]->NewInstance());
+            block->ShallowCopy(step().blocks[part]);
             unifyArrays(*block, kept);
             const unsigned number = blocks->GetNumberOfBlocks();
             blocks->SetBlock(number, block);
-            blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), parts_[part].name.c_str());
+            blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), step().parts[part].name.c_str());
         }
         return blocks;
     }
@@ -73,50 +73,58 @@ private:
             throw InputError(path_, "it cannot be read (" + messages.firstError() + ")", "a complete, undamaged case");
     }
 
-    /// Which parts there are, and of which kind, is known when they have been read.
-    void readAll()
+    struct Step {
+        std::vector<PartInfo> parts;
+        std::vector<vtkSmartPointer<vtkDataSet>> blocks;  // The data of each part.
+        std::vector<ArrayInfo> arrays;
+    };
+
+    /// All of the step. Which parts there are, and of which kind, is known when they have been read.
+    const Step& step() const
     {
-        if (time_) reader_->GetOutputInformation(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), *time_);
+        if (step_) return *step_;
         run([&] { reader_->Update(); });
+        Step read;
         auto* const all = vtkMultiBlockDataSet::SafeDownCast(reader_->GetOutputDataObject(0));
         for (unsigned i = 0; all && i < all->GetNumberOfBlocks(); ++i) {
             vtkSmartPointer<vtkDataSet> block = vtkDataSet::SafeDownCast(all->GetBlock(i));
-            if (!block || block->GetNumberOfCells() == 0) continue;
-            const int dimension = dimensionOf(*block);
+            const int dimension = block ? dimensionOf(*block) : 0;
             if (dimension < 2) continue;
-            if (vtkUnstructuredGrid::SafeDownCast(block)) {  // EnSight 6 has one list of points for all parts.
-                vtkNew<vtkRemoveUnusedPoints> used;
-                used->SetGenerateOriginalPointIds(false);
-                used->SetInputData(block);
-                run([&] { used->Update(); });
-                block = used->GetOutput();
-            }
-            const vtkInformation* const info = all->HasMetaData(i) ? all->GetMetaData(i) : nullptr;
+            if (vtkUnstructuredGrid::SafeDownCast(block)) block = withoutUnusedPoints(*block);
             const char* const name =
-                info ? const_cast<vtkInformation*>(info)->Get(vtkCompositeDataSet::NAME()) : nullptr;
-            parts_.push_back({name && *name ? name : fmt::format("part {}", i + 1),
-                              dimension == 3 ? "volume" : "faces",
-                              {},
-                              dimension});
+                all->HasMetaData(i) ? all->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : nullptr;
+            read.parts.push_back({name && *name ? name : fmt::format("part {}", i + 1),
+                                  dimension == 3 ? "volume" : "faces",
+                                  {},
+                                  dimension});
+            read.blocks.push_back(block);
             for (const ArrayInfo& array : arraysOf(*block))
-                if (std::none_of(arrays_.begin(), arrays_.end(), [&](const ArrayInfo& each) {
+                if (std::none_of(read.arrays.begin(), read.arrays.end(), [&](const ArrayInfo& each) {
                         return each.name == array.name && each.onPoints == array.onPoints;
                     }))
-                    arrays_.push_back(array);
-            blocks_.push_back(block);
+                    read.arrays.push_back(array);
         }
-        if (blocks_.empty()) throw InputError(path_, "it has no part of faces or cells", "one");
+        if (read.blocks.empty()) throw InputError(path_, "it has no part of faces or cells", "one");
+        step_ = std::move(read);
+        return *step_;
+    }
+
+    /// EnSight 6 has one list of points for all parts.
+    vtkSmartPointer<vtkDataSet> withoutUnusedPoints(vtkDataSet& block) const
+    {
+        vtkNew<vtkRemoveUnusedPoints> used;
+        used->SetGenerateOriginalPointIds(false);
+        used->SetInputData(&block);
+        run([&] { used->Update(); });
+        return used->GetOutput();
     }
 
     std::string path_;
     FileUse use_;
     vtkNew<vtkGenericEnSightReader> reader_;
     std::vector<double> times_;
-    std::optional<double> time_;
-    std::vector<PartInfo> parts_;
-    std::vector<vtkSmartPointer<vtkDataSet>> blocks_;  // Of each.
-    std::vector<ArrayInfo> arrays_;
     std::vector<std::string> wanted_;
+    mutable std::optional<Step> step_;  // Once it was asked for.
 };
 
 }  // namespace
