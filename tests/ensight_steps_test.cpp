@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "aeolic/error.h"
+#include "aeolic/renderer.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
 #include "data/vtk/sample_writers.h"
@@ -116,6 +117,24 @@ TEST_F(EnSightSteps, EnSight6)
 {
     writeSampleEnSight6(folder_.path().string());
     expectSample();
+}
+
+/// Whoever reads the data, the picture is the same.
+TEST_F(EnSightSteps, TheSamePictureAsEnSightGold)
+{
+    const auto picture = [&] {
+        SceneDescription scene;
+        scene.surface.spec = case_ + ":walls";
+        scene.field.vectors = "U";
+        scene.shading.colorBy = "p";
+        scene.output.width = scene.output.height = 64;
+        scene.run.backend = BackendChoice::cpu;
+        return Renderer(scene).render().pixels;
+    };
+    writeSampleEnSight(folder_.path().string());
+    const auto gold = picture();
+    writeSampleEnSight6(folder_.path().string());
+    EXPECT_EQ(picture(), gold);
 }
 
 TEST_F(EnSightSteps, DamagedCases)

@@ -1,69 +1,18 @@
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
-#include <vtkDataSet.h>
-#include <vtkPointData.h>
 
-#include "aeolic/error.h"
 #include "data/load/file_info.h"
-#include "data/load/loaded_scene.h"
-#include "data/vtk/file_reader.h"
-#include "data/vtk/sample_files.h"
-#include "describe_testing.h"
-#include "reader/netcdf/sample_netcdf.h"
+#include "netcdf_testing.h"
 
-/// Grids in netCDF, as models of oceans and of the air write them.
+/// Grids in netCDF: where their points are, and what values these have.
 
 namespace aeolic {
 namespace {
 
 using namespace test;
 using namespace testkit;
-class NetcdfGrids : public testing::Test {
-protected:
-    const TempFolder folder_;
-    const std::string path_ = folder_.file("a.nc");
 
-    /// All that is in the grid of these arrays.
-    vtkSmartPointer<vtkDataSet> read(const std::vector<std::string>& names, std::optional<double> time = {}) const
-    {
-        FileReader reader(path_, FileUse::field, time);
-        std::vector<ArrayInfo> kept;
-        for (const ArrayInfo& array : reader.announcedArrays())
-            if (std::find(names.begin(), names.end(), array.name) != names.end()) kept.push_back(array);
-        EXPECT_EQ(kept.size(), names.size()) << listArrays(reader.announcedArrays());
-        reader.keepOnly(kept);
-        return vtkDataSet::SafeDownCast(reader.read({}, "reading"));
-    }
-
-    static glm::dvec3 vectorAt(vtkDataSet& data, const char* name, vtkIdType point)
-    {
-        double v[3];
-        data.GetPointData()->GetArray(name)->GetTuple(point, v);
-        return {v[0], v[1], v[2]};
-    }
-
-    static glm::dvec3 placeOf(vtkDataSet& data, vtkIdType point)
-    {
-        double p[3];
-        data.GetPoint(point, p);
-        return {p[0], p[1], p[2]};
-    }
-
-    std::string failure() const
-    {
-        try {
-            FileReader(path_, FileUse::field).announcedArrays();
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
-    }
-};
-
-constexpr const char* kEast = "degrees_east";
-constexpr const char* kNorth = "degrees_north";
-
-/// As reanalyses are: packed in shorts, from north to south, a step an hour.
+/// Reanalyses write maps so: packed in shorts, with the northern row first.
 TEST_F(NetcdfGrids, PackedMapsFromNorthToSouth)
 {
     for (const auto form : {NetcdfForm::classic, NetcdfForm::offsets64, NetcdfForm::netcdf4}) {
@@ -251,176 +200,6 @@ TEST_F(NetcdfGrids, DepthGrowsDownwardsAndMapsStandInEachLayer)
     EXPECT_NE(info.text.find("--surface slice:359.5,0.5,-50.5:0,0,1 --camera"), std::string::npos) << info.text;
     data = read({"surf_el"});
     EXPECT_EQ(data->GetNumberOfPoints(), 4) << "alone it is flat";
-}
-
-/// A fourth dimension is time, whatever it is called.
-TEST_F(NetcdfGrids, TheFirstOfFourDimensionsIsTime)
-{
-    {
-        NetcdfWriter file(path_);
-        for (const char* name : {"month", "level", "lat", "lon"}) file.dimension(name, 2);
-        file.line("month", [](int i) { return 1 + 6 * i; }, {});
-        for (const char* name : {"u", "v"})
-            file.variable(name, {"month", "level", "lat", "lon"}, [](int z, int, int) { return z; });
-    }
-    EXPECT_EQ(FileReader(path_, FileUse::field).timeSteps(), (std::vector<double>{1, 7}));
-    EXPECT_EQ(vectorAt(*read({"uv"}), "uv", 7).x, 1);
-}
-
-/// MATLAB's order: x before y.
-TEST_F(NetcdfGrids, DimensionsInAnyOrder)
-{
-    {
-        NetcdfWriter file(path_);
-        file.dimension("lon", 3);
-        file.dimension("lat", 2);
-        file.dimension("time", 2);
-        file.line("lon", [](int i) { return i; }, {{"units", kEast}});
-        file.line("lat", [](int i) { return i; }, {{"units", kNorth}});
-        for (const char* name : {"u", "v"})
-            file.variable(name, {"lon", "lat", "time"},
-                          [&](int x, int y, int t) { return name[0] == 'u' ? x + 10 * y + 100 * t : 0; });
-    }
-    EXPECT_EQ(vectorAt(*read({"uv"}), "uv", 2).x, 2);
-    EXPECT_EQ(vectorAt(*read({"uv"}, 1), "uv", 5).x, 112);
-}
-
-/// The CF conventions' names, where those of the variables tell nothing.
-TEST_F(NetcdfGrids, VectorsByTheirStandardNames)
-{
-    {
-        NetcdfWriter file(path_);
-        file.dimension("lat", 2);
-        file.dimension("lon", 2);
-        file.line("lat", [](int i) { return i; }, {{"units", kNorth}});
-        file.line("lon", [](int i) { return i; }, {{"units", kEast}});
-        file.variable("vozocrtx", {"lat", "lon"}, [](int, int, int) { return 3; },
-                      {{"standard_name", "sea_water_x_velocity"}});
-        file.variable("vomecrty", {"lat", "lon"}, [](int, int, int) { return 4; },
-                      {{"standard_name", "sea_water_y_velocity"}});
-        file.variable("sos", {"lat", "lon"}, [](int, int, int) { return 35; });
-    }
-    EXPECT_EQ(vectorAt(*read({"sea_water_velocity"}), "sea_water_velocity", 0), glm::dvec3(3, 4, 0));
-    const FileInfo info = fileInfo(path_);
-    EXPECT_NE(info.text.find("sea_water_velocity"), std::string::npos) << info.text;
-    EXPECT_NO_THROW(loadScene(describe("boundary", path_)));
-    EXPECT_NO_THROW(loadScene(describe("image", path_)));
-}
-
-/// Names that differ in a letter only, beside a flow.
-TEST_F(NetcdfGrids, WhatIsNoFlowIsNoVector)
-{
-    {
-        NetcdfWriter file(path_);
-        file.dimension("lat", 2);
-        file.dimension("lon", 2);
-        file.line("lat", [](int i) { return i; }, {{"units", kNorth}});
-        file.line("lon", [](int i) { return i; }, {{"units", kEast}});
-        const auto one = [](int, int, int) { return 1; };
-        for (const char* name : {"CLOX", "CLOY"}) file.variable(name, {"lat", "lon"}, one, {{"units", "mol/mol"}});
-        for (const char* name : {"e3u", "e3v"}) file.variable(name, {"lat", "lon"}, one, {{"units", "m"}});
-        for (const char* name : {"mask_u", "mask_v"}) file.variable(name, {"lat", "lon"}, one);
-        for (const char* name : {"MAPFAC_U", "MAPFAC_V"}) file.variable(name, {"lat", "lon"}, one);
-        for (const char* name : {"uo", "vo", "wo"}) file.variable(name, {"lat", "lon"}, one, {{"units", "m s-1"}});
-    }
-    std::vector<std::string> vectors;
-    FileReader reader(path_, FileUse::field);
-    for (const ArrayInfo& array : reader.announcedArrays())
-        if (array.components == 3) vectors.push_back(array.name);
-    EXPECT_EQ(vectors, (std::vector<std::string>{"uvo", "MAPFAC_UV"}));
-    EXPECT_NE(fileInfo(path_).text.find("--vectors uvo "), std::string::npos);
-}
-
-/// Members of an ensemble; bytes without a sign; a variable of its dimension's name; what stands on another grid.
-TEST_F(NetcdfGrids, OddFiles)
-{
-    for (const NetcdfForm form : {NetcdfForm::classic, NetcdfForm::netcdf4}) {
-        {
-            NetcdfWriter file(path_, form);
-            file.dimension("number", 3);
-            file.dimension("z", 2);
-            file.dimension("lat", 2);
-            file.dimension("lon", 3);
-            file.line("number", [](int i) { return std::array{2, 0, 1}[std::size_t(i)]; }, {});
-            file.variable("z", {"lat", "z", "lon"}, [](int, int, int x) { return x; });
-            for (const char* name : {"u", "v"})
-                file.variable(name, {"number", "lat", "lon"}, [](int n, int, int x) { return 10 * n + x; });
-            file.variable(
-                "p", {"lat", "lon"}, [](int, int, int) { return -56; }, {{"_Unsigned", "true"}},
-                {{"scale_factor", 0.1}}, true);
-        }
-        const auto data = read({"uv", "p"});
-        ASSERT_EQ(data->GetNumberOfPoints(), 6);
-        EXPECT_EQ(vectorAt(*data, "uv", 5), glm::dvec3(2, 2, 0));
-        EXPECT_NEAR(data->GetPointData()->GetArray("p")->GetComponent(0, 0), 6548, 1e-2);
-        try {
-            read({"uv", "z"});
-            ADD_FAILURE();
-        } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find("'z' stands on another grid than 'uv'; expected arrays of one"),
-                      std::string::npos)
-                << error.what();
-        }
-    }
-}
-
-/// A grid with a pole of its own: its lines are no longitudes, and east is not along them.
-TEST_F(NetcdfGrids, RotatedPolesAndIdealizedRuns)
-{
-    for (const bool isIdealized : {false, true}) {
-        {
-            NetcdfWriter file(path_);
-            file.dimension("rlat", 3);
-            file.dimension("rlon", 3);
-            file.line("rlat", [](int i) { return i; }, {{"units", "degrees"}, {"standard_name", "grid_latitude"}});
-            file.line("rlon", [](int i) { return i; }, {{"units", "degrees"}, {"standard_name", "grid_longitude"}});
-            const double size = isIdealized ? 0 : 1;
-            file.variable("lon", {"rlat", "rlon"}, [&](int, int y, int) { return -size * y; }, {{"units", kEast}});
-            file.variable("lat", {"rlat", "rlon"}, [&](int, int, int x) { return size * x; }, {{"units", kNorth}});
-            file.variable("uas", {"rlat", "rlon"}, [](int, int, int) { return 2; },
-                          {{"units", "m s-1"}, {"standard_name", "eastward_wind"}, {"coordinates", "lon lat"}});
-            file.variable("vas", {"rlat", "rlon"}, [](int, int, int) { return 0; }, {{"units", "m s-1"}});
-        }
-        const auto data = read({"uvas"});
-        EXPECT_EQ(placeOf(*data, 5), isIdealized ? glm::dvec3(2, 1, 0) : glm::dvec3(-1, 2, 0));
-        EXPECT_NEAR(glm::distance(vectorAt(*data, "uvas", 5), glm::dvec3(2, 0, 0)), 0, 1e-6);
-    }
-}
-
-TEST_F(NetcdfGrids, WhatIsNoGridIsSaid)
-{
-    {
-        NetcdfWriter file(path_);
-        file.dimension("nCells", 9);
-        file.dimension("level", 2);
-        file.variable("lonCell", {"nCells"}, [](int, int, int x) { return x; }, {{"units", "rad"}});
-        file.variable("latCell", {"nCells"}, [](int, int, int x) { return x; }, {{"units", "rad"}});
-        file.variable("u", {"nCells", "level"}, [](int, int, int) { return 1; });
-    }
-    EXPECT_EQ(failure(), path_ +
-                             ": its values stand on a mesh without a grid, along 'nCells'; expected variables over "
-                             "latitude and longitude, or x and y (CF conventions)");
-    {
-        NetcdfWriter file(path_);
-        file.dimension("n", 9);
-        file.variable("p", {"n"}, [](int, int, int) { return 1; });
-    }
-    EXPECT_NE(failure().find("it has no variable on a grid"), std::string::npos) << failure();
-    {
-        NetcdfWriter file(path_);
-        file.dimension("lat", 3);
-        file.dimension("lon", 3);
-        file.line("lat", [](int i) { return i % 2; }, {{"units", kNorth}});
-        for (const char* name : {"u", "v"}) file.variable(name, {"lat", "lon"}, [](int, int, int) { return 1; });
-    }
-    try {
-        read({"uv"});
-        ADD_FAILURE();
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("its coordinate 'lat' has the values 1 and 0 beside each other"),
-                  std::string::npos)
-            << error.what();
-    }
 }
 
 }  // namespace

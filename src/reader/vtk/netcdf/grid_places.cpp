@@ -21,11 +21,10 @@
 namespace aeolic {
 namespace {
 
-constexpr double kEvenness = 1e-3;  // Of a step: coordinates in floats are even no better.
+/// Steps along a line are even if they differ by no more than this share of a step: coordinates are often floats.
+constexpr double kEvenness = 1e-3;
 
-constexpr CoordinateKind kKinds[] = {CoordinateKind::x, CoordinateKind::y, CoordinateKind::z};
-
-/// Longitude or latitude, and not that of a grid with a pole of its own.
+/// Whether it is longitude or latitude, and not that of a grid with a pole of its own.
 bool isOfMap(const NetcdfFile& file, const std::optional<std::string>& variable)
 {
     if (!variable) return false;
@@ -33,7 +32,7 @@ bool isOfMap(const NetcdfFile& file, const std::optional<std::string>& variable)
     return isInDegrees(file, *variable) && !name.starts_with("grid_");
 }
 
-/// Longitudes that pass 360 and begin again go on.
+/// Makes longitudes that pass 360 and begin again at 0 go on beyond 360.
 void unwind(std::vector<double>& places)
 {
     for (std::size_t i = 1; i < places.size(); ++i) places[i] -= 360 * std::round((places[i] - places[i - 1]) / 360);
@@ -60,7 +59,7 @@ std::vector<double> lineOf(const NetcdfFile& file, const std::string& dimension,
     return line;
 }
 
-/// The values of a variable over y and x, at the first time where it is over time, too.
+/// The values of a variable over y and x. Of one that changes in time they are those of the first step.
 std::vector<double> planeValues(const NetcdfFile& file, const std::string& name)
 {
     Slab slab = wholeSlab(file.shape(name));
@@ -69,7 +68,7 @@ std::vector<double> planeValues(const NetcdfFile& file, const std::string& name)
     return {values.begin(), values.end()};
 }
 
-/// Idealized runs have zeros for longitudes and latitudes.
+/// Whether the values differ. In idealized runs all longitudes and latitudes are zero.
 bool hasExtent(const std::vector<double>& values)
 {
     double lo = std::numeric_limits<double>::infinity(), hi = -lo;
@@ -81,7 +80,7 @@ bool hasExtent(const std::vector<double>& values)
     return hi > lo;
 }
 
-/// Neighbours on a curvilinear grid are neighbours on the map, also where it crosses the map's edge.
+/// Makes neighbours on a curvilinear grid neighbours on the map, also where the grid crosses the map's edge.
 void unwindRows(GridPlaces& places)
 {
     std::vector<double> row(places.columns());
@@ -201,7 +200,7 @@ GridPlaces placesOf(const NetcdfFile& file, const GridAxes& axes, const std::str
                y = coordinateOf(file, axes[axes.size() - 2], CoordinateKind::y);
     places.inDegrees = x && y && isInDegrees(file, *x) && isInDegrees(file, *y);
     for (std::size_t c = 0; c < axes.size(); ++c)
-        places.lines[c] = lineOf(file, axes[axes.size() - 1 - c], kKinds[c], places.turned[c]);
+        places.lines[c] = lineOf(file, axes[axes.size() - 1 - c], kKindOfAxis[c], places.turned[c]);
     const auto plane = planeOf(file, axes, variable);
     if (!plane || (!plane->areNamed && isOfMap(file, x) && isOfMap(file, y))) return places;
     std::vector<double> xs = planeValues(file, plane->x), ys = planeValues(file, plane->y);

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+
+#include "reader/parts/part_source.h"
 
 namespace aeolic {
 namespace {
 
-constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
-constexpr double kNeverWritten = 9.9e36;  // The library's own value of what was never written is 9.97e36.
-constexpr double kLowestCosine = 1e-3;    // At the poles there is no east.
+/// Values beyond this were never written: the library fills such places with 9.97e36.
+constexpr double kNeverWritten = 9.9e36;
+/// The cosine of the latitude counts as this at least. At the poles, where it is 0, no direction is east.
+constexpr double kLowestCosine = 1e-3;
 
 double onlyNumber(const NetcdfFile& file, const std::string& variable, const char* attribute, double otherwise)
 {
@@ -42,10 +44,10 @@ public:
     float operator()(Number packed) const
     {
         for (const double missing : missing_)
-            if (packed == Number(missing)) return kNoValue;
+            if (packed == Number(missing)) return kMissing;
         double value(packed);
         if (value < 0) value += wrap_;
-        return value >= lo_ && value <= hi_ ? float(value * scale_ + offset_) : kNoValue;
+        return value >= lo_ && value <= hi_ ? float(value * scale_ + offset_) : kMissing;
     }
 
 private:
@@ -123,7 +125,7 @@ std::optional<int> neighbourBefore(const NetcdfFile& file, const std::string& fr
     if (there != here) return there > here ? 0 : -1;
     const auto a = coordinateOf(file, from, kind), b = coordinateOf(file, to, kind);
     if (!a || !b || here < 2) return std::nullopt;
-    constexpr double kSame = 0.1;  // Of a step.
+    constexpr double kSame = 0.1;  // Points that are apart by less than this share of a step are the same.
     const Slab two{{0}, {2}};
     const std::vector<double> others = file.read<double>(*a, two), own = file.read<double>(*b, two);
     const double step = own[1] - own[0];
@@ -152,7 +154,7 @@ Block averaged(const Block& block, std::size_t c, std::size_t size, int before)
                 source[c] = isBetween ? std::size_t(first) : 0;
                 const std::size_t a = source[0] + source[1] * block.stride(1) + source[2] * block.stride(2);
                 result.values[to++] =
-                    isBetween ? 0.5f * (block.values[a] + block.values[a + block.stride(c)]) : kNoValue;
+                    isBetween ? 0.5f * (block.values[a] + block.values[a + block.stride(c)]) : kMissing;
             }
     return result;
 }
@@ -221,13 +223,12 @@ bool canStandOn(const NetcdfFile& file, const GridAxes& from, const GridAxes& to
 std::vector<float> valuesOnGrid(const NetcdfFile& file, const GridVariable& variable, const GridAxes& axes,
                                 const GridPlaces& places, std::size_t step)
 {
-    constexpr CoordinateKind kinds[] = {CoordinateKind::x, CoordinateKind::y, CoordinateKind::z};
     Block block = readBlock(file, variable, step);
     const std::size_t rank = variable.axes.size();
     for (std::size_t c = 0; c < rank; ++c) {
         const std::string &from = variable.axes[rank - 1 - c], &to = axes[axes.size() - 1 - c];
         const std::size_t size = places.lines[c].size();
-        const auto before = from == to ? std::nullopt : neighbourBefore(file, from, to, kinds[c]);
+        const auto before = from == to ? std::nullopt : neighbourBefore(file, from, to, kKindOfAxis[c]);
         if (before) block = averaged(block, c, size, *before);
         if (block.size[c] != size)
             file.fail("'" + variable.name + "' has " + std::to_string(block.size[c]) + " values along '" + from + "'",

@@ -166,7 +166,7 @@ private:
                     continue;
                 GridVector& made = all_.vectors.back();
                 const auto w = find(withLetter(name, at, letters[2]));
-                // Of a map the third component has another unit than the places.
+                // On a map a third component has another unit than the places, so vectors have two.
                 if (w && made.axes.size() == 3 && !isMap(made.axes, name) &&
                     isStaggered(file_, all_.variables[*w].axes, made.axes)) {
                     made.of.push_back(*w);
@@ -217,7 +217,8 @@ private:
     {
         const GridAxes &across = all_.variables[u].axes, &up = all_.variables[v].axes;
         if (used_.contains(u) || used_.contains(v) || across.size() != up.size()) return false;
-        GridAxes axes = across;  // Of a C grid the first component stands on the second's columns, and so on.
+        // On a C grid the first component is shifted along x alone, and the second along y alone.
+        GridAxes axes = across;
         axes.back() = up.back();
         if (!isStaggered(file_, across, axes) || !isStaggered(file_, up, axes)) return false;
         while (file_.has(name)) name += "XYZ";

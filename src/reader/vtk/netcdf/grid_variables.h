@@ -17,16 +17,16 @@ using GridAxes = std::vector<std::string>;
 struct GridVariable {
     std::string name;
     GridAxes axes;
-    std::vector<std::size_t> at;      ///< Which of the variable's own dimensions each of them is.
-    std::optional<std::size_t> time;  ///< Its own dimension of time.
+    std::vector<std::size_t> at;      ///< Which of the variable's dimensions each of the axes is.
+    std::optional<std::size_t> time;  ///< Which of the variable's dimensions is time; nothing: none is.
 };
 
 /// A vector whose components are variables.
 struct GridVector {
     std::string name;
     std::vector<std::size_t> of;  ///< Two or three variables.
-    /// Those that the components are brought to. Each component may stand half a cell beside these points, along its
-    /// own direction (the C grid of Arakawa and Lamb 1977).
+    /// The dimensions of the points that the components are brought to. Each component may stand half a cell beside
+    /// these points, along its own direction (the C grid of Arakawa and Lamb 1977).
     GridAxes axes;
     bool isEastward = false;  ///< The components are those towards east and north, not along the grid's lines.
     bool isFlow = false;      ///< Its unit is that of a flow or a stress.
@@ -45,9 +45,10 @@ GridVariables gridVariablesOf(const NetcdfFile& file);
 
 /// What a variable's attributes say that it tells of.
 enum class CoordinateKind { none, x, y, z, time };
+inline constexpr CoordinateKind kKindOfAxis[] = {CoordinateKind::x, CoordinateKind::y, CoordinateKind::z};
 CoordinateKind coordinateKindOf(const NetcdfFile& file, const std::string& variable);
 
-/// Its unit is a degree.
+/// Whether its unit is a degree.
 bool isInDegrees(const NetcdfFile& file, const std::string& variable);
 
 /// The longitudes or x, and the latitudes or y, of a curvilinear grid's points: variables over its y and x, perhaps

@@ -16,13 +16,14 @@ namespace aeolic {
 namespace {
 
 constexpr std::uint64_t kMostPoints = std::uint64_t(1) << 31;
-constexpr std::uint64_t kFloatsBeside = 9;  // For each point, while an array is made: places, packed numbers, a copy.
+/// So many more floats are in memory for each point while an array is made: its place, packed numbers and a copy.
+constexpr std::uint64_t kFloatsBeside = 9;
 
 class NetcdfGrid : public OwnReader {
 public:
     NetcdfGrid(const std::string& path, std::optional<double> time) : file_(path), all_(gridVariablesOf(file_))
     {
-        // What is proposed first is a vector of the grid that all arrays together get.
+        // The first vector is proposed first, so it belongs to the grid that all arrays together get.
         std::stable_sort(all_.vectors.begin(), all_.vectors.end(), [&](const GridVector& a, const GridVector& b) {
             if (a.isFlow != b.isFlow) return a.isFlow;
             return pointsOf(a.axes) > pointsOf(b.axes);
@@ -34,7 +35,7 @@ public:
 
     const std::vector<ArrayInfo>& arrays() const override { return arrays_; }
 
-    /// Those of the grid that is read if all arrays are kept.
+    /// The times of the grid that is read if all arrays are kept.
     std::vector<double> times() const override
     {
         const auto name = timeOf(all_.variables[variableOf(leading(arrays_))]);
@@ -93,7 +94,7 @@ private:
                                            : all_.variables[array - all_.vectors.size()].axes;
     }
 
-    /// Of a vector its first component.
+    /// The variable that an array is made of. A vector is made of several, of which this is the first.
     std::size_t variableOf(std::size_t array) const
     {
         return array < all_.vectors.size() ? all_.vectors[array].of[0] : array - all_.vectors.size();
@@ -106,7 +107,7 @@ private:
         return points;
     }
 
-    /// The array whose grid is read: of vectors before others, that with the most points.
+    /// The array whose grid is read: the vector with the most points, or the scalar where no vector is kept.
     std::size_t leading(const std::vector<ArrayInfo>& kept) const
     {
         std::size_t best = 0;
