@@ -69,7 +69,8 @@ std::string defaultAddressFile(const std::string& address)
     if (!home || *home == '\0')
         throw InputError("--address-file", "missing, and there is no home to write the address to",
                          "a file for the address, because standard output is a file that others may read");
-    const std::string folder = std::string(home) + "/.aeolic", path = folder + "/" + name;
+    const std::string folder = std::string(home) + "/.aeolic";
+    std::string path = folder + "/" + name;
     if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) fail(path);
     return path;
 }

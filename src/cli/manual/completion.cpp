@@ -85,7 +85,7 @@ std::string optionInZsh(const CLI::Option& option)
 
 std::string bashCompletion(const CLI::App& program)
 {
-    const std::string name = program.get_name();
+    const std::string& name = program.get_name();
     std::string text = fmt::format("# Completion of {0} for bash. Made of its options.\n_{0}()\n{{\n", name);
     text +=
         "    local cur=\"${COMP_WORDS[COMP_CWORD]}\" previous=\"${COMP_WORDS[COMP_CWORD-1]}\" "
@@ -108,7 +108,7 @@ std::string bashCompletion(const CLI::App& program)
 
 std::string zshCompletion(const CLI::App& program)
 {
-    const std::string name = program.get_name();
+    const std::string& name = program.get_name();
     std::string text = fmt::format(
         "#compdef {0}\n# Completion of {0} for zsh. Made of its options.\n_{0}()\n{{\n    local -a commands=(\n", name);
     for (const CLI::App* command : commandsOf(program))

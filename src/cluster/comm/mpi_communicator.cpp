@@ -123,7 +123,10 @@ MpiCommunicator::~MpiCommunicator()
     // and the launcher ends the job.
     if (std::uncaught_exceptions() > exceptionsAtBirth_) return;
     if (hasEnded()) return;  // MPI would end the process.
-    freeUnused(true);
+    try {
+        freeUnused(true);
+    } catch (const std::exception&) {  // What is left over at the end harms nobody.
+    }
     MPI_Comm_free(&host_);
     MPI_Comm_free(&comm_);
     if (startedMpi_) MPI_Finalize();

@@ -20,10 +20,16 @@ double numberIn(const Json& list, std::size_t i, const std::string& where)
     return list[i].get<double>();
 }
 
+/// Files write switches as 0 and 1, or as false and true.
+bool isOn(const Json& value)
+{
+    return value.is_boolean() ? value.get<bool>() : value == 1;
+}
+
 /// The colour under `key`, where there is one; and, if `use` names a switch, where that is on.
 std::optional<Color> colorIn(const Json& map, const std::string& path, const char* key, const char* use)
 {
-    if (use && !(map.contains(use) && (map[use] == 1 || map[use] == true))) return std::nullopt;
+    if (use && !(map.contains(use) && isOn(map[use]))) return std::nullopt;
     if (!map.contains(key)) return std::nullopt;
     const std::string where = path + ": " + key;
     const Json& list = map[key];
@@ -70,8 +76,7 @@ ColorPoints colorPointsFromJson(const std::string& text, const std::string& path
         if (!space.is_string()) throw InputError(path + ": ColorSpace", "not a text", "a name, as \"RGB\"");
         map.space = colorSpaceNamed(path + ": ColorSpace", space.get<std::string>());
     }
-    if (map.space == ColorSpace::hsv && preset.contains("HSVWrap") &&
-        (preset["HSVWrap"] == 1 || preset["HSVWrap"] == true))
+    if (map.space == ColorSpace::hsv && preset.contains("HSVWrap") && isOn(preset["HSVWrap"]))
         map.space = ColorSpace::hsvWrapped;
     map.nan = colorIn(preset, path, "NanColor", nullptr);
     map.below = colorIn(preset, path, "BelowRangeColor", "UseBelowRangeColor");

@@ -222,6 +222,7 @@ LoadedSurface StepReader::surfaceFiles(const StepFile& file, SurfaceArrays array
 {
     const std::vector<std::string> files = file.files();
     std::vector<std::uint64_t> bytes;
+    bytes.reserve(files.size());
     for (const std::string& each : files) bytes.push_back(checkReadableFile(each));
     const PieceRun run = runOf(surfaceReaders.split() ? surfaceReaders : pieces, bytes);
     std::vector<LoadedSurface> own;

@@ -27,7 +27,7 @@ std::string readerProgram()
         throw InputError("aeolic-reader", "not found: nobody knows where the library is", "AEOLIC_READER=PATH");
     for (const char* place : {"aeolic-reader", "libexec/aeolic/aeolic-reader", "../libexec/aeolic/aeolic-reader",
                               "../../libexec/aeolic/aeolic-reader"}) {
-        const std::string program = (folder / place).string();
+        std::string program = (folder / place).string();
         if (access(program.c_str(), X_OK) == 0) return program;
     }
     throw InputError("aeolic-reader", "not found in " + folder.string() + " or libexec/aeolic near it",

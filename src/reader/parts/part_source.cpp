@@ -39,6 +39,7 @@ std::vector<std::size_t> chosenParts(const std::vector<PartInfo>& parts, const s
 {
     if (!wanted.empty()) {
         std::vector<PartName> names;
+        names.reserve(parts.size());
         for (const PartInfo& part : parts) names.push_back({part.name, part.groups});
         return chooseParts(names, wanted, where);
     }

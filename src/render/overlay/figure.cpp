@@ -117,9 +117,9 @@ std::size_t FigureLayout::placeIn(Corner corner) const
 std::string FigureLayout::leftOut(const Figure& figure) const
 {
     std::vector<std::string> parts;
-    if (!figure.title.empty() && !title) parts.push_back("the title");
-    if (figure.axes && !axes) parts.push_back("the axes");
-    if (!figure.stamp.empty() && !stamp) parts.push_back("the time");
+    if (!figure.title.empty() && !title) parts.emplace_back("the title");
+    if (figure.axes && !axes) parts.emplace_back("the axes");
+    if (!figure.stamp.empty() && !stamp) parts.emplace_back("the time");
     const std::size_t drawn = barPlaces.empty() ? 0 : bars.size();
     if (drawn < figure.bars.size())
         parts.push_back(figure.bars.size() == 1

@@ -148,8 +148,8 @@ void lay(const std::array<std::uint8_t, 3>& color, float part, std::array<std::u
 {
     const float under = float(pixel[3]) / 255 * (1 - part), alpha = part + under;
     for (std::size_t c = 0; c < 3; ++c)
-        pixel[c] = std::uint8_t((part * float(color[c]) + under * float(pixel[c])) / alpha + 0.5f);
-    pixel[3] = std::uint8_t(255 * alpha + 0.5f);
+        pixel[c] = std::uint8_t(std::lround((part * float(color[c]) + under * float(pixel[c])) / alpha));
+    pixel[3] = std::uint8_t(std::lround(255 * alpha));
 }
 
 void paint(const SurfaceLines::Look& look, const Extent& band, const Coverage& coverage, Tile& out)

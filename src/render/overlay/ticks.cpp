@@ -122,13 +122,13 @@ Ticks multiplesIn(double lo, double hi, std::initializer_list<int> mantissas, in
 Ticks logTicks(double lo, double hi, int most)
 {
     for (int everyNth = 1;; ++everyNth) {
-        const Ticks powers = multiplesIn(lo, hi, {1}, everyNth);
+        Ticks powers = multiplesIn(lo, hi, {1}, everyNth);
         if (int(powers.values.size()) > most) continue;
         if (powers.values.size() >= 3) return powers;
         break;
     }
     for (const auto& mantissas : {std::initializer_list<int>{1, 2, 5}, {1, 3}, {1}}) {
-        const Ticks multiples = multiplesIn(lo, hi, mantissas, 1);
+        Ticks multiples = multiplesIn(lo, hi, mantissas, 1);
         if (multiples.values.size() >= 2 && int(multiples.values.size()) <= most) return multiples;
     }
     return niceTicks(lo, hi, most);

@@ -114,9 +114,9 @@ vtkSmartPointer<vtkDataSet> unstructuredGrid(const Volume& volume, const std::st
 
 vtkSmartPointer<vtkDataSet> cellsFromMemory(const Volume& volume, const std::string& name)
 {
-    const vtkSmartPointer<vtkDataSet> grid = volume.isRectilinear()  ? rectilinearGrid(volume, name)
-                                             : volume.isStructured() ? structuredGrid(volume, name)
-                                                                     : unstructuredGrid(volume, name);
+    vtkSmartPointer<vtkDataSet> grid = volume.isRectilinear()  ? rectilinearGrid(volume, name)
+                                       : volume.isStructured() ? structuredGrid(volume, name)
+                                                               : unstructuredGrid(volume, name);
     addArrays(*grid, volume.pointArrays, true, name);
     addArrays(*grid, volume.cellArrays, false, name);
     makeCellsLinear(*grid, name);

@@ -218,7 +218,7 @@ vtkSmartPointer<vtkPolyData> plane(vtkDataSet& data, const std::string& where)
         throw InputError(where, fmt::format("--surface image of {} x {} x {} samples", dims[0], dims[1], dims[2]),
                          "a single layer, or --surface slice:…");
     }
-    const auto surface = boundary(data, where);
+    auto surface = boundary(data, where);
     const double *bounds = image->GetBounds(), *spacing = image->GetSpacing();
     vtkPoints& points = *surface->GetPoints();
     points.SetDataTypeToDouble();

@@ -6,6 +6,7 @@
 #include "render/gl/project/frame_images.h"
 #include "render/guard_exchange.h"
 #include "render/lic/row_flow.h"
+#include "render/surface_overlay.h"
 
 /// What leaves the GPU besides finished pixels. Each waits for the device.
 namespace aeolic::gl {
