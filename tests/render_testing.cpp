@@ -180,6 +180,7 @@ const GBuffer& Stages::project(const Camera& camera, const LicOptions& lic)
 {
     LicOptions seeded = lic;
     seeded.seed = noise.seed;
+    if (noise.style != lic.style) noise = NoisePyramid(noise.seed, lic.style);
     view = aeolic::makeView(camera, scene, seeded);
     backend->project(view, wholeImage(camera));
     buffer = &backend->probe().gbuffer();

@@ -10,7 +10,7 @@
 namespace aeolic::cpu {
 
 /// Counts what the LIC stage fetches for one trace (one pixel, one direction), in lanes of 32 bits: a sample of the
-/// flow is one 128-bit block, 4 lanes; a jump looked up is two blocks, and with the Hann kernel 4 gathered waves. What
+/// flow is one 128-bit block, 4 lanes; a jump looked up is two blocks, and with weighted sums 4 gathered pairs. What
 /// it reads in a row (the pixel's own texel, its first jump) or only at silhouettes (links) is not counted.
 class TraceLanes {
 public:

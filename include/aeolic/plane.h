@@ -14,12 +14,12 @@ struct PlaneFlow {
     int width = 0, height = 0;  ///< [1, 32768]
     const float* u = nullptr;   ///< [height][width] along a row, towards higher columns.
     const float* v = nullptr;   ///< [height][width] across rows, towards higher rows.
-    /// [height][width] the noise, or null: white noise from `lic.seed`. The span of its finite values is taken for
-    /// black to white; values that are not finite count as its middle.
+    /// [height][width] the noise, or null: white noise from `lic.seed`, or grains with lic.style oriented. The span of
+    /// its finite values is taken for black to white; values that are not finite count as its middle.
     const float* texture = nullptr;
     bool periodic = false;  ///< Streamlines go out at one end and come in at the other; false: they end there.
     /// (u, v) and (-u, -v) are the same, as of polarization: streamlines take the one that is nearer to where they go,
-    /// so signs may jump from pixel to pixel. By the direct method alone.
+    /// so signs may jump from pixel to pixel. By the direct method alone, in the dense style.
     bool axial = false;
 };
 

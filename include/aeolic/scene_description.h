@@ -66,9 +66,15 @@ enum class Kernel { box, hann };
 /// How much the noise along a streamline counts: all the same, or by the width of the stream tube.
 enum class Streaks { plain, even };
 
+/// What streaks are made of. dense: noise all over. oriented: grains with room between them, each drawn out into a
+/// streak that grows brighter towards its head, and so tells which way the flow goes (docs/concepts.md). These take a
+/// sixth of `steps`, and neither `kernel` nor `phase`.
+enum class Style { dense, oriented };
+
 /// The line integral convolution (paper, section 3, "LIC stage").
 struct LicOptions {
     LicMethod method = LicMethod::hierarchical;
+    Style style = Style::dense;
     Integrator integrator = Integrator::rk2;  ///< How `direct` traces.
     int steps = 128;                          ///< Integration steps in each direction, [1, 65536].
     double step = 1.0;  ///< Length of a step, in pixels of an unforeshortened surface at the focal point, (0, 8].

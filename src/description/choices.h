@@ -27,6 +27,8 @@ inline constexpr auto choiceNames<LicMethod> = std::to_array<std::string_view>({
 template <>
 inline constexpr auto choiceNames<Integrator> = std::to_array<std::string_view>({"euler", "rk2", "rk4"});
 template <>
+inline constexpr auto choiceNames<Style> = std::to_array<std::string_view>({"dense", "oriented"});
+template <>
 inline constexpr auto choiceNames<Kernel> = std::to_array<std::string_view>({"box", "hann"});
 template <>
 inline constexpr auto choiceNames<RangeOf> = std::to_array<std::string_view>({"data", "robust"});

@@ -47,7 +47,10 @@ std::vector<std::string> idleOptions(const SceneDescription& scene, const std::m
         finder.addSwitch("--time-stamp", scene.shading.timeStamp, "on data that do not change in time");
     }
     if (scene.lic.method == LicMethod::hierarchical) finder.add({"--integrator"}, "without --lic direct");
-    if (scene.lic.kernel != Kernel::hann) finder.add({"--phase"}, "without --kernel hann");
+    if (scene.lic.style == Style::oriented)
+        finder.add({"--kernel", "--phase"}, "with --style oriented");
+    else if (scene.lic.kernel != Kernel::hann)
+        finder.add({"--phase"}, "without --kernel hann");
     if (!hasColors(scene)) {
         finder.add({"--colormap", "--color-range", "--color-scale", "--nan-color", "--below-color", "--above-color"},
                    "without --color-by");
@@ -59,7 +62,7 @@ std::vector<std::string> idleOptions(const SceneDescription& scene, const std::m
     if (scene.output.frames == 1) {
         finder.add({"--fps", "--orbit"}, "without --frames");
         if (moves && given.contains("--time-range"))
-            finder.found.push_back("--time-range shows its first moment alone without --frames");
+            finder.found.emplace_back("--time-range shows its first moment alone without --frames");
     }
     return finder.found;
 }

@@ -180,6 +180,11 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.time.range, coordinate);
 
     visit(Option{lic, "method", "--lic", "", "method"}, scene.lic.method, choice<LicMethod>);
+    visit(
+        Option{lic, "style", "--style", "",
+               "dense: noise all over; oriented: grains drawn out into streaks that grow brighter towards their head, "
+               "downstream; they take a sixth of --steps, and no --kernel"},
+        scene.lic.style, choice<Style>);
     visit(Option{lic, "integrator", "--integrator", "", "how direct traces"}, scene.lic.integrator, choice<Integrator>);
     visit(Option{lic, "steps", "--steps", "N", "integration steps in each direction"}, scene.lic.steps,
           NumberRule{1, 65536}.usually(1, 1024));

@@ -30,17 +30,8 @@ SceneDescription unusualScene()
     scene.surface = {"slice:0,0,0:0,1,0", 45};
     scene.field = {"tornado", FieldPrecision::float16, "Geschwindigkeit größer", -0.02, 0.1};
     scene.time.range = std::array{0.25, -4.0};
-    scene.lic = {LicMethod::direct,
-                 Integrator::rk4,
-                 77,
-                 0.3,
-                 Kernel::hann,
-                 Streaks::plain,
-                 -1.25,
-                 false,
-                 2.5,
-                 4294967295u,
-                 0.25};
+    scene.lic = {LicMethod::direct, Style::oriented, Integrator::rk4, 77,  0.3,         Kernel::hann,
+                 Streaks::plain,    -1.25,           false,           2.5, 4294967295u, 0.25};
     scene.shading = {"p",           "coolwarm", std::array{-1e-7, 3.0},
                      RangeOf::data, "bands:7",  "112233",
                      "445566",      "778899",   false,
@@ -177,12 +168,14 @@ TEST(SceneJson, EachFaultIsOneLineThatNamesTheField)
         {R"({"lic": {"kernel": "cos"}})", "scene.json: lic.kernel: found the text 'cos'; expected one of box, hann"},
         {R"({"lic": {"seed": -1}})", "scene.json: lic.seed: found -1; expected a whole number from 0 to 4294967295"},
         {R"({"lic": {"stepp": 1}})",
-         "scene.json: lic: 'stepp': unknown key; expected one of method, integrator, steps, step, kernel, streaks, "
+         "scene.json: lic: 'stepp': unknown key; expected one of method, style, integrator, steps, step, kernel, "
+         "streaks, "
          "phase, "
          "normalize, "
          "noiseScale, seed, maskBelow; did you mean steps?"},
         {R"({"lic": {"Method": "none"}})",
-         "scene.json: lic: 'Method': unknown key; expected one of method, integrator, steps, step, kernel, streaks, "
+         "scene.json: lic: 'Method': unknown key; expected one of method, style, integrator, steps, step, kernel, "
+         "streaks, "
          "phase, "
          "normalize, noiseScale, seed, maskBelow; did you mean method?"},
         {R"({"lic": {"method": "hierachical"}})",

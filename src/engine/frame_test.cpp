@@ -68,6 +68,9 @@ TEST_P(Frame, RepeatedFramesAreIdentical)
             renderAlone(requestFor(scene, LicMethod::direct, width, height), scene, *backend, stats);
         FrameRequest other = request;
         other.lic.steps = 200;
+        other.lic.style = Style::oriented;
+        renderAlone(other, scene, *backend, stats);
+        other.lic.style = Style::dense;
         other.lic.kernel = Kernel::hann;
         renderAlone(other, scene, *backend, stats);
         EXPECT_TRUE(renderAlone(request, scene, *backend, stats).rgba == first.rgba);

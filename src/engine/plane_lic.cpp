@@ -15,7 +15,9 @@
 #include "engine/plane_rows.h"
 #include "render/cpu/lic/lic_stage.h"
 #include "render/lic/jump_plan.h"
+#include "render/lic/lic_kernel.h"
 #include "render/limits.h"
+#include "render/view.h"
 
 namespace aeolic {
 namespace {
@@ -24,7 +26,7 @@ namespace {
 LicOptions inShortSteps(LicOptions lic)
 {
     const int parts = int(std::ceil(lic.step / double(kLongestStepPx)));
-    lic.steps *= parts;
+    lic.steps = kernelSteps(lic) * parts;
     lic.step /= parts;
     lic.noiseScale = 1;
     return lic;
@@ -38,6 +40,9 @@ void check(const PlaneFlow& flow, const LicOptions& lic)
     if (flow.axial && lic.phase != 0)
         throw InputError("lic2d", fmt::format("found polarization with phase={}", lic.phase),
                          "0: without signs no way is forwards");
+    if (flow.axial && lic.style == Style::oriented)
+        throw InputError("lic2d", "found polarization with style=oriented",
+                         "style=dense: without signs no way is forwards");
     SceneDescription scene;
     scene.lic = lic;
     validate(scene, commandLineName);

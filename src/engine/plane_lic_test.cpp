@@ -364,6 +364,31 @@ TEST(PlaneLic, PartsOfPeriodicPlanesAreSeenNowhere)
         }
 }
 
+/// Slopes along the flow are skewed: a streak rises slowly and ends at its head, whichever way the flow goes.
+TEST(PlaneLic, OrientedStreaksRiseTowardsTheirHeads)
+{
+    constexpr int side = 300;
+    for (const float sign : {1.0F, -1.0F})
+        for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
+            LicOptions lic = options(method, 128);
+            lic.style = Style::oriented;
+            const std::vector<float> values = licOfPlane(Plane(side, side, sign, 0).flow(), lic);
+            double skew = 0;
+            for (int y = 0; y < side; ++y)
+                for (int x = 60; x + 60 < side; ++x) {
+                    const auto at = std::size_t(y * side + x);
+                    const double slope = double(values[at + 1]) - double(values[at - 1]);
+                    skew += slope * slope * slope;
+                }
+            EXPECT_LT(skew * double(sign), -100) << sign << ", " << int(method);
+        }
+    Plane axial(9, 9, 1, 0);
+    axial.axial = true;
+    LicOptions lic = options(LicMethod::direct, 16);
+    lic.style = Style::oriented;
+    EXPECT_THROW(licOfPlane(axial.flow(), lic), InputError);
+}
+
 TEST(PlaneLic, TakesThePlanesNobodyDraws)
 {
     const Plane one(1, 1, 1, 1), still(9, 9, 0, 0), land(5, 4, nan, 0), huge(8, 8, 3e38F, -3e38F);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "render/cpu/lic/fine_cells.h"
+#include "render/cpu/project/noise_sampling-inl.h"
 #include "render/gbuffer.h"
 #include "render/lic/noise.h"
 
@@ -38,8 +39,22 @@ void whiteNoise(std::uint32_t pixel, std::uint32_t seed, float* noise)
     }
 }
 
+// Grains of oriented streaks: a cut through their pyramid, where a texel is two pixels wide.
+void grainsOf(const PlanePixels& pixels, int x0, float* noise)
+{
+    const hn::ScalableTag<float> d;
+    const NoiseLookup lookup = makeNoiseLookup(1024, 1, Style::oriented);
+    for (int i = 0; i < kTogether; i += int(hn::Lanes(d))) {
+        const auto x = hn::Iota(d, float(x0 + i));
+        hn::StoreU(cpu::HWY_NAMESPACE::sampleNoise(d, *pixels.grains, lookup,
+                                                   {x, hn::Set(d, float(pixels.y)), hn::Zero(d)}, hn::Set(d, 1.0F)),
+                   d, noise + i);
+    }
+}
+
 void noiseOf(const PlanePixels& pixels, int x0, int count, float* noise)
 {
+    if (!pixels.texture && pixels.grains) return grainsOf(pixels, x0, noise);
     if (!pixels.texture) return whiteNoise(pixels.first + std::uint32_t(x0), pixels.seed, noise);
     for (int i = 0; i < count; ++i) {
         const float value = (pixels.texture[x0 + i] - pixels.middle) * pixels.perUnit;

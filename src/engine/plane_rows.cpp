@@ -27,6 +27,7 @@ PlaneRows::PlaneRows(const PlaneFlow& flow, const LicOptions& lic, int reach) : 
 {
     flowUnitPx_ = std::exp2(std::ceil(std::log2(std::max(lic.step, 1e-3)))) / (flow_texel::kDisplacementMax + 1);
     unitsPerStep_ = lic.step / flowUnitPx_;
+    if (lic.style == Style::oriented && !flow.texture) grains_.emplace(lic.seed, lic.style);
     findScales();
 }
 
@@ -63,6 +64,8 @@ void PlaneRows::fillRow(int y, std::uint32_t* row, std::uint32_t* fineVectors, s
     const PlanePixels pixels{flow_.u + first,
                              flow_.v + first,
                              flow_.texture ? flow_.texture + first : nullptr,
+                             grains_ ? &*grains_ : nullptr,
+                             y,
                              std::uint32_t(first),
                              lic_.seed,
                              middle_,

@@ -24,6 +24,12 @@ LicOptions masked(LicOptions lic)
     return lic;
 }
 
+LicOptions oriented(LicOptions lic)
+{
+    lic.style = Style::oriented;
+    return lic;
+}
+
 /// Depths of other ranks' rows darken this one's.
 Case occluded(Case c)
 {
@@ -35,6 +41,7 @@ std::vector<Case> cases()
 {
     return {makeCase("hierarchical", 160, 131, licOf(LicMethod::hierarchical, 40)),
             makeCase("hann with remainder", 160, 97, licOf(LicMethod::hierarchical, 77, Kernel::hann)),
+            makeCase("oriented", 160, 97, oriented(licOf(LicMethod::hierarchical, 245))),
             occluded(makeCase("direct", 160, 131, licOf(LicMethod::direct, 30))),
             makeCase("by magnitude", 120, 101, licOf(LicMethod::hierarchical, 50, Kernel::box, false), "torus:3000",
                      "tornado:24,24,24"),

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "aeolic/scene_description.h"
-#include "render/lic/along_flow.h"
 
 /// The last step of even streaks: from each pixel's value the mean of all values around it is taken. There are about
 /// ten streaks in 25 x 25 pixels, and their mean is not quite the mean of all noise. So whole patches would be a little
@@ -25,7 +24,7 @@ inline constexpr float kGain = 1.04f;
 /// Whether these options ask for it.
 inline bool wanted(const LicOptions& lic)
 {
-    return along_flow::wanted(lic);
+    return lic.streaks == Streaks::even && lic.method != LicMethod::none;
 }
 
 /// How far the square goes beyond its middle. Coarser noise has wider streaks and takes a larger one, but the sums of a

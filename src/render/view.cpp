@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/gbuffer.h"
+#include "render/lic/lic_kernel.h"
 #include "render/shading_model.h"
 #include "render/units.h"
 
@@ -51,13 +52,14 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     view.flowUnitPx = float(powerOfTwo / (flow_texel::kDisplacementMax + 1));
 
     view.noiseSeed = lic.seed;
-    view.noise = makeNoiseLookup(scene.boundsWorld.diagonal() / view.unitWorld, lic.noiseScale);
+    view.noiseStyle = lic.style;
+    view.noise = makeNoiseLookup(scene.boundsWorld.diagonal() / view.unitWorld, lic.noiseScale, lic.style);
     return view;
 }
 
 LicOptions inShortSteps(LicOptions lic, const View& view)
 {
-    lic.steps *= view.stepParts;
+    lic.steps = kernelSteps(lic) * view.stepParts;
     lic.step /= view.stepParts;
     return lic;
 }

@@ -35,6 +35,7 @@ struct View {
 
     NoiseLookup noise;
     std::uint32_t noiseSeed = 1;
+    Style noiseStyle = Style::dense;
 };
 
 /// The image shows no step longer than this: each is a sample of the noise, and streaks of samples farther apart look

@@ -104,6 +104,7 @@ double step(const PixelImage& image, Integrator integrator, double h, Trace& t, 
 
 double kernelWeight(const LicOptions& lic, double i)
 {
+    if (lic.style == Style::oriented) return 0.5 * (1 - i / lic.steps);
     if (lic.kernel == Kernel::box) return 1;
     return 0.5 * (1 + std::cos(std::numbers::pi * i / (lic.steps + 0.5) - lic.phase));
 }

@@ -97,7 +97,7 @@ double noiseAt(const NoisePyramid& noise, const NoiseLookup& lookup, const glm::
 {
     const double wanted = footprint * lookup.levelFromFootprint;
     const int level = int(std::floor(std::log2(wanted)));
-    const double blend = std::exp2(-level) * wanted - 1;
+    const double mantissa = std::exp2(-level) * wanted;
     const auto trilinear = [&](int o) {
         const glm::dvec3 t = lookup.texelFromLocal * local * std::exp2(-o) +
                              double(o) * glm::dvec3(kNoiseLevelOffset[0], kNoiseLevelOffset[1], kNoiseLevelOffset[2]);
@@ -110,6 +110,14 @@ double noiseAt(const NoisePyramid& noise, const NoiseLookup& lookup, const glm::
                    ((k >> 2) ? w.z : 1 - w.z);
         return sum;
     };
+    if (lookup.grains) {
+        const double from = double(grains::kBlendFrom), to = double(grains::kBlendTo);
+        const double blend = std::clamp((mantissa - from) / (to - from), 0.0, 1.0);
+        const auto grain = [&](int o) { return (1 + trilinear(o)) / 2 - double(grains::kShare); };
+        const double height = mantissa * double(grains::kHeight);
+        return height * ((1 - blend) * grain(level) + 0.5 * blend * grain(level + 1)) / std::hypot(1 - blend, blend);
+    }
+    const double blend = mantissa - 1;
     return ((1 - blend) * trilinear(level) + blend * trilinear(level + 1)) /
            std::sqrt((1 - blend) * (1 - blend) + blend * blend);
 }

@@ -7,6 +7,7 @@ import {isAcceptable} from '../view/options.js';
 export function streaksPart({model, phase}) {
   const lic = new OptionRows(model, 'lic');
   const method = lic.add('method', segments, {label: 'Method', labels: {hierarchical: 'Hierarchical', direct: 'Direct', none: 'None'}});
+  const style = lic.add('style', segments, {label: 'Style', labels: {dense: 'Dense', oriented: 'Oriented'}});
   const exact = toggle({label: 'Exact at rest', onInput: (isOn) => model.setExactAtRest(isOn)});
   const integrator = lic.add('integrator', segments, {label: 'Integrator', labels: {euler: 'Euler', rk2: 'RK2', rk4: 'RK4'}});
   const steps = lic.add('steps', slider, {label: 'Steps each way', scale: 'log'});
@@ -28,11 +29,13 @@ export function streaksPart({model, phase}) {
   function update() {
     lic.update();
     const chosen = model.options.lic, isOn = chosen.method !== 'none';
-    for (const row of [steps, step, noiseScale, normalize, kernel, evenness, seed, animate]) row.show(isOn);
+    const isDense = chosen.style === 'dense';
+    for (const row of [style, steps, step, noiseScale, normalize, evenness, seed]) row.show(isOn);
+    for (const row of [kernel, animate]) row.show(isOn && isDense);
     exact.show(chosen.method === 'hierarchical');
     exact.set(model.isExactAtRest);
     integrator.show(chosen.method === 'direct');
-    phaseRad.show(isOn && chosen.kernel === 'hann' && !phase.isRunning);
+    phaseRad.show(isOn && isDense && chosen.kernel === 'hann' && !phase.isRunning);
     maskBelow.setRange(0, model.scene?.longestVector || 1);
     maskBelow.set(chosen.maskBelow ?? 0, 'maskBelow' in model.changed.lic);
     maskBelow.show(isOn);
@@ -40,6 +43,6 @@ export function streaksPart({model, phase}) {
     speed.show(isOn && phase.isRunning);
     speed.set(phase.speed);
   }
-  const order = [method, exact, integrator, steps, step, noiseScale, normalize, maskBelow, kernel, evenness, animate, speed, phaseRad, seed];
+  const order = [method, style, exact, integrator, steps, step, noiseScale, normalize, maskBelow, kernel, evenness, animate, speed, phaseRad, seed];
   return {title: 'Streaks', elements: order.map((row) => row.element), update};
 }

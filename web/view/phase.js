@@ -36,7 +36,8 @@ export class Phase {
 
   #advance() {
     if (!this.isRunning) return;
-    if (this.#model.options.lic.kernel !== 'hann' || this.#model.options.lic.method === 'none') return this.run(false);
+    const {kernel, method, style} = this.#model.options.lic;
+    if (kernel !== 'hann' || method === 'none' || style !== 'dense') return this.run(false);
     const nowMs = performance.now(), seconds = Math.min(LONGEST_STEP_S, (nowMs - this.#lastMs) / 1000);
     this.#lastMs = nowMs;
     const turn = 2 * Math.PI, phase = this.#model.options.lic.phase + turn * this.speed * seconds;

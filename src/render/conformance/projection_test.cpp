@@ -59,11 +59,14 @@ Differences compare(const reference::PixelImage& expected, const GBuffer& buffer
 }
 
 /// Vertices are snapped to 1/256 pixel before drawing: a pixel centre that close to an edge may belong to either side.
-void expectAgreement(const std::string& backend, Scene scene, const Camera& camera, double scalarTolerance = 0)
+void expectAgreement(const std::string& backend, Scene scene, const Camera& camera, double scalarTolerance = 0,
+                     Style style = Style::dense)
 {
     Stages stages(backend, std::move(scene));
     const bool withScalar = stages.scene.hasScalar;
-    stages.project(camera, directLic(16));
+    LicOptions lic = directLic(16);
+    lic.style = style;
+    stages.project(camera, lic);
     const reference::PixelImage expected = reference::project(stages.view, stages.scene, stages.noise);
     const Differences d = compare(expected, *stages.buffer, withScalar, scalarTolerance);
     const double few = 0.01 * d.covered, outlinePixels = 6 * std::sqrt(double(d.covered));
@@ -96,6 +99,20 @@ TEST_P(ProjectionConformance, GridFieldOnTheBuiltinSurfaces)
         const Camera camera = fitCamera(scene, {}, 120, 90);
         expectAgreement(GetParam(), std::move(scene), camera, 2e-3);
     }
+}
+
+TEST_P(ProjectionConformance, GrainsOfOrientedStreaks)
+{
+    forEachSimdTarget([&] {
+        for (const double zoom : {0.7, 1.0, 1.4}) {  // The finer grains, both, the coarser.
+            SCOPED_TRACE(zoom);
+            Scene scene = makeBuiltinScene("torus:800", "abc:24,24,24");
+            CameraOptions view;
+            view.zoom = zoom;
+            const Camera camera = fitCamera(scene, view, 120, 90);
+            expectAgreement(GetParam(), std::move(scene), camera, 0, Style::oriented);
+        }
+    });
 }
 
 /// A torus in a field, and a ball in its middle that carries vectors, scalar, or both.

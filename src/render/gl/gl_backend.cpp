@@ -64,7 +64,7 @@ public:
         gpu.images.resize(view.camera.width, view.camera.height, valid, scene_.hasScalar, !scene_.surfaces.empty());
         FrameInFlight& frame = gpu.frames.begin();
         frame.timers.begin(Stage::project);
-        gpu.scene.setNoise(view.noiseSeed);
+        gpu.scene.setNoise(view.noiseSeed, view.noiseStyle);
         flowUnitPx_ = view.flowUnitPx;
         view_ = view;
         const Extent neighbours = withNeighbours(drawn, valid);

@@ -18,10 +18,10 @@ namespace aeolic::along_flow {
 /// The weights of the pixel itself, and of those 1, 2 and 3 pixels to either side.
 inline constexpr float kWeights[limits::kAlongRows + 1] = {1.0f, 1.0f, 0.75f, 0.4f};
 
-/// Whether these options ask for it.
+/// Whether these options ask for it. It would blur the heads of oriented streaks, which tell where the flow goes.
 inline bool wanted(const LicOptions& lic)
 {
-    return lic.streaks == Streaks::even && lic.method != LicMethod::none;
+    return lic.streaks == Streaks::even && lic.style == Style::dense && lic.method != LicMethod::none;
 }
 
 /// What brings the average back to the contrast that the values had, on uniform flow: the inverse of its deviation.

@@ -66,14 +66,14 @@ inline constexpr int kLengthMost = (1 << (kSumShift - kLengthShift)) - 1;
 inline constexpr int kSumMost = (1 << (kWidthShift - kSumShift - 1)) - 1;
 inline constexpr int kWidthOne = (1 << (32 - kWidthShift)) - 1;
 
-inline constexpr int kHalfMost = 32767;  ///< Halves of other words hold displacements, and waves.
+inline constexpr int kHalfMost = 32767;  ///< Halves of other words hold displacements, and weighted sums.
 
 }  // namespace jump_word
 
 /// What the fields of a jump of `stride` steps count in. flowUnitPx is the longest step over 2048: such a jump just
 /// fits signed 16 bits, and so do the others.
 struct JumpUnits {
-    float displacementPx, sum, lengthPx, wave;
+    float displacementPx, sum, lengthPx, weighted;
 };
 inline JumpUnits jumpUnits(int stride, float flowUnitPx)
 {

@@ -1,30 +1,65 @@
 #include "render/lic/lic_kernel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "render/lic/noise.h"
 
 namespace aeolic {
+namespace {
+
+// Of the grains' noise at a point; by the same measurement as the contrast's other numbers.
+constexpr double kGrainVariance = 0.0023;
+
+// Heads of streaks lie three deviations above the mean: a little less contrast leaves them room below white.
+constexpr double kGrainContrast = 0.8;
+
+double anglePerStep(const KernelModel& kernel)
+{
+    return std::numbers::pi / (kernel.steps + 0.5);
+}
+
+}  // namespace
 
 double KernelModel::weight(int i) const
 {
-    double sum = meanWeight;
-    for (const double frequency : frequencies) sum += 0.5 * std::cos(frequency * i - phaseRad);
-    return sum;
+    switch (shape) {
+        case Shape::box:
+            return 1;
+        case Shape::hann:
+            return 0.5 + 0.5 * std::cos(anglePerStep(*this) * i - phaseRad);
+        case Shape::ramp:
+            return 0.5 - 0.5 * i / steps;
+    }
+    return 1;
 }
 
 KernelModel makeKernelModel(const LicOptions& lic)
 {
+    using Shape = KernelModel::Shape;
     KernelModel kernel;
     kernel.steps = lic.steps;
-    kernel.phaseRad = lic.phase;
-    if (lic.kernel == Kernel::hann) {
-        kernel.frequencies = {std::numbers::pi / (lic.steps + 0.5)};
+    if (lic.style == Style::oriented) {
+        kernel.shape = Shape::ramp;
+        kernel.meanWeight = 0.5;
+        kernel.concentration = 4.0 / 3.0;
+        kernel.ofSecond = 1;
+    } else if (lic.kernel == Kernel::hann) {
+        kernel.shape = Shape::hann;
+        kernel.phaseRad = lic.phase;
         kernel.meanWeight = 0.5;
         kernel.concentration = 1.5;
+        kernel.ofFirst = float(std::cos(lic.phase));
+        kernel.ofSecond = float(std::sin(lic.phase));
     }
     return kernel;
+}
+
+int kernelSteps(const LicOptions& asked)
+{
+    constexpr int kOrientedShare = 6;
+    return asked.style == Style::oriented ? std::max(asked.steps / kOrientedShare, 1) : asked.steps;
 }
 
 KernelWeights makeKernelWeights(const KernelModel& kernel)
@@ -38,14 +73,19 @@ KernelWeights makeKernelWeights(const KernelModel& kernel)
     return weights;
 }
 
-std::vector<Rotation> rotationsOf(const KernelModel& kernel, float sign)
+std::vector<Turn> turnsOf(const KernelModel& kernel, float sign)
 {
-    std::vector<Rotation> rotations;
-    for (int i = 0; kernel.waves() && i <= kernel.steps; ++i) {
-        const double angle = kernel.frequencies.front() * i;
-        rotations.push_back({float(std::cos(angle)), sign * float(std::sin(angle))});
+    std::vector<Turn> turns;
+    for (int i = 0; kernel.weighted() && i <= kernel.steps; ++i) {
+        if (kernel.shape == KernelModel::Shape::ramp) {
+            turns.push_back({1, 0, -sign * float(double(i) / kernel.steps), 1});
+            continue;
+        }
+        const double angle = anglePerStep(kernel) * i;
+        const float cosine = float(std::cos(angle)), sine = sign * float(std::sin(angle));
+        turns.push_back({cosine, -sine, sine, cosine});
     }
-    return rotations;
+    return turns;
 }
 
 ContrastModel makeContrastModel(const LicOptions& lic)
@@ -54,11 +94,14 @@ ContrastModel makeContrastModel(const LicOptions& lic)
     // long, within 10 % (contrast_test.cpp holds it to 15): the grain's correlation length in pixels, and the step's
     // where it skips grains.
     const KernelModel kernel = makeKernelModel(lic);
-    const double spread = kernel.concentration, variance = kNoiseSigma * kNoiseSigma;
-    const double grain = std::hypot(0.668, 0.952 * std::pow(lic.noiseScale, -1.34)), skipped = 0.506 * lic.step;
+    const bool isOriented = lic.style == Style::oriented;
+    const double spread = kernel.concentration, variance = isOriented ? kGrainVariance : kNoiseSigma * kNoiseSigma;
+    const double grain =
+        isOriented ? grains::kTexelPx / lic.noiseScale : std::hypot(0.668, 0.952 * std::pow(lic.noiseScale, -1.34));
+    const double skipped = (isOriented ? 0.3 : 0.506) * lic.step;
     const double inverseB = variance * std::sqrt(std::hypot(grain * grain, skipped * skipped));
     return {float(1 / (variance * variance)), float(1 / (inverseB * inverseB * spread * spread)),
-            float(1 / kernel.meanWeight)};
+            float((isOriented ? kGrainContrast : 1) / kernel.meanWeight)};
 }
 
 }  // namespace aeolic

@@ -11,23 +11,44 @@ namespace aeolic {
 /// variance, zero mean; 0 where there is no flow.
 using LicImage = Image<float>;
 
-/// The convolution kernel, as methods see it: a mean and cosines over its length, sampled at whole steps from -steps to
-/// steps. box: 1. hann: (1 + cos(pi i / (steps + 1/2) - phase)) / 2, a bump one kernel long that travels along the
-/// streamline as the phase grows and re-enters behind (Cabral & Leedom 1993; Forssell & Cohen 1995). Jumps keep a sum
-/// for each cosine beside the plain one, and so a new kernel of few cosines needs no new method.
+/// What i steps make of two numbers that a trace carries: (a, b) becomes (aa a + ab b, ba a + bb b).
+struct Turn {
+    float aa = 1, ab = 0, ba = 0, bb = 1;
+};
+
+/// The convolution kernel, as methods see it, sampled at whole steps from -steps to steps; upstream is negative.
+///   box   1
+///   hann  (1 + cos(pi i / (steps + 1/2) - phase)) / 2: a bump one kernel long that travels along the streamline as the
+///         phase grows and re-enters behind (Cabral & Leedom 1993; Forssell & Cohen 1995)
+///   ramp  (1 - i / steps) / 2: what a grain adds to a pixel grows with its distance upstream. So the grain is drawn
+///         out into a streak that is brightest at its head, downstream, and ends there (Wegenkittl, Gröller &
+///         Purgathofer 1997).
+///
+/// A weight is the mean and half of one number of a pair that turns as a trace goes on: cos and sin of an angle, or 1
+/// and the share of the kernel walked, which is the first moment. Jumps keep two sums for such a pair beside the plain
+/// one. So a jump that starts i steps on is joined by turning its sums, and a kernel of this kind needs no new method.
 struct KernelModel {
+    enum class Shape { box, hann, ramp };
+
+    Shape shape = Shape::box;
     int steps = 0;
     double phaseRad = 0;
-    std::vector<double> frequencies;  ///< Angles of the cosines per step, radians: a box has none, Hann one.
     double meanWeight = 1;
     double concentration = 1;  ///< How much its shape concentrates its weight: f of the contrast (ContrastModel).
+    /// How much of each weighted sum is in the result, which is half the plain sum and half of that.
+    float ofFirst = 0, ofSecond = 0;
 
-    /// Whether sums have to be weighted: 0 or 1 cosine, which is all that methods have sums for.
-    bool waves() const { return !frequencies.empty(); }
-    /// The weight of step `i`, which is negative upstream. Cost: a cosine for each frequency.
+    /// Whether jumps keep the two weighted sums.
+    bool weighted() const { return shape != Shape::box; }
+    /// The weight of step `i`. Cost: a cosine for hann.
     double weight(int i) const;
 };
+/// `lic.steps`: the kernel's own, kernelSteps() of those asked for.
 KernelModel makeKernelModel(const LicOptions& lic);
+
+/// The kernel's steps in each direction, of those asked for. Oriented streaks are short: a grain's streak ends before
+/// many others begin beside it, for these hide its head (decision 0033).
+int kernelSteps(const LicOptions& asked);
 
 /// All weights of a kernel, for methods that walk step by step.
 struct KernelWeights {
@@ -36,12 +57,9 @@ struct KernelWeights {
 };
 KernelWeights makeKernelWeights(const KernelModel& kernel);
 
-/// cos and signed sin of a number of steps times the angle of a cosine.
-struct Rotation {
-    float cosine = 1, sine = 0;
-};
-/// [steps + 1] Of the kernel's cosine, steps 0 to all; empty where it has none. `sign`: of the sines.
-std::vector<Rotation> rotationsOf(const KernelModel& kernel, float sign);
+/// [steps + 1] What 0 to all steps make of the weighted sums, downstream where `sign` is 1 and upstream where it is -1;
+/// empty for a box. A sample after i steps adds its noise times (aa, ba).
+std::vector<Turn> turnsOf(const KernelModel& kernel, float sign);
 
 /// How a trace's samples become its LIC value:
 ///
@@ -63,7 +81,7 @@ std::vector<Rotation> rotationsOf(const KernelModel& kernel, float sign);
 struct ContrastModel {
     float zeroLength;         ///< a^2
     float perLength;          ///< (b / f)^2, pixels^-2
-    float inverseMeanWeight;  ///< Of the kernel.
+    float inverseMeanWeight;  ///< Of the kernel; of oriented streaks, less a little contrast.
 };
 
 /// The starting pixel's own sample has at least this length: without flow it shows its own noise.

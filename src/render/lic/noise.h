@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "aeolic/scene_description.h"
 #include "base/large_memory.h"
 #include "description/camera.h"
 
@@ -17,6 +18,9 @@ namespace aeolic {
 /// levels, chosen by the pixel's footprint, are blended so that the grain stays about a pixel wide at any distance and
 /// zoom and never pops. A level is not the average of the finer one: every level has full contrast. The tile is rotated
 /// against the world's axes, so a plane cuts it without repeating (docs/decisions/0004-noise.md).
+///
+/// Oriented streaks have grains instead: of the texels few are white, no two of them neighbours, so that grains lie
+/// evenly. Interpolation makes a ball of each, which the surface cuts (docs/decisions/0033-oriented-streaks.md).
 struct NoisePyramid {
     static constexpr int kSize = 64;               ///< Texels per side; a power of two.
     static constexpr double kTexelPerPixel = 1.0;  ///< Width of the coarser blended texel at full blend, in pixels.
@@ -26,22 +30,44 @@ struct NoisePyramid {
     /// more, because a fetch may read a word.
     LargeVector<std::uint8_t> cells;
     static constexpr std::size_t kPadding = 3;
+    Style style = Style::dense;
     std::uint32_t seed = 0;
 
     /// Where the cell at (x, y, z) is, each within [0, kSize).
     static std::size_t index(std::size_t x, std::size_t y, std::size_t z) { return (z * kSize + y) * kSize + x; }
 
-    explicit NoisePyramid(std::uint32_t seed);
+    explicit NoisePyramid(std::uint32_t seed, Style style = Style::dense);
 };
 
 /// How a pixel looks its noise up; one for the whole frame.
 struct NoiseLookup {
     glm::dmat3 texelFromLocal{1};   ///< Rotation and scale: local P-space to texels of level 0.
     double levelFromFootprint = 1;  ///< footprint (world) * this = the value whose power-of-two exponent is the level.
+    bool grains = false;            ///< The tile's texels are grains or nothing.
 };
 
 /// `sceneDiagonal` fixes the size of level 0, so the noise keeps its place with any camera and image size.
-NoiseLookup makeNoiseLookup(double sceneDiagonal, double noiseScale);
+NoiseLookup makeNoiseLookup(double sceneDiagonal, double noiseScale, Style style = Style::dense);
+
+/// Grains, as the LIC stage needs them: a texel of the tile's is 1 or 0, and their mean is taken off, so that neither
+/// many nor few of them make a patch lighter or darker. What a streamline crosses of a grain grows with its size in the
+/// image, so its height falls with that: grains of either level make streaks that are equally bright.
+namespace grains {
+
+/// Width of a texel in pixels, where the coarser level alone is left and the next one begins. By measurement:
+/// streaks tell best where they lead (decision 0033).
+inline constexpr double kTexelPx = 2.5;
+/// The least distance of two grains in the tile, texels, squared.
+inline constexpr int kApart2 = 9;
+/// The share of the tile's texels that are grains: how many that leaves room for, for any seed within 1 %.
+inline constexpr float kShare = 0.0265f;
+/// Levels are blended in the middle third of an octave alone: two populations of grains at once are twice as many. In
+/// parts of where the finer level's texels have kTexelPx.
+inline constexpr float kBlendFrom = 1.26f, kBlendTo = 1.587f;
+/// Height of a grain in the finer level where m is 1; in the coarser level half of that.
+inline constexpr float kHeight = 0.5f;
+
+}  // namespace grains
 
 /// Offset of level o's tile, in texels: neighbouring levels must not show the same pattern.
 inline constexpr std::array<double, 3> kNoiseLevelOffset{19.137, 41.713, 7.391};

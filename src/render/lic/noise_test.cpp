@@ -81,6 +81,19 @@ std::vector<double> alongALine(const NoisePyramid& noise, const NoiseLookup& loo
     return values;
 }
 
+void expectNoSeams(const NoisePyramid& noise, const NoiseLookup& lookup)
+{
+    for (int i = 0; i < 200; ++i) {
+        const glm::dvec3 at(0.013 * i, 0.4 - 0.007 * i, 0.02 * i);
+        double before = reference::noiseAt(noise, lookup, at, 0.001);
+        for (double footprint = 0.001; footprint < 0.01; footprint *= 1.002) {
+            const double now = reference::noiseAt(noise, lookup, at, footprint);
+            EXPECT_LT(std::abs(now - before), 0.02) << footprint;
+            before = now;
+        }
+    }
+}
+
 /// Whatever the distance of the surface, the noise has the contrast that the gain of the LIC counts on.
 TEST(Noise, ContrastIsTheSameAtEveryFootprint)
 {
@@ -98,15 +111,7 @@ TEST(Noise, LevelsBlendWithoutASeam)
 {
     const NoisePyramid noise(1);
     const NoiseLookup lookup = makeNoiseLookup(1, 1);
-    for (int i = 0; i < 200; ++i) {
-        const glm::dvec3 at(0.013 * i, 0.4 - 0.007 * i, 0.02 * i);
-        double before = reference::noiseAt(noise, lookup, at, 0.001);
-        for (double footprint = 0.001; footprint < 0.01; footprint *= 1.002) {
-            const double now = reference::noiseAt(noise, lookup, at, footprint);
-            EXPECT_LT(std::abs(now - before), 0.02) << footprint;
-            before = now;
-        }
-    }
+    expectNoSeams(noise, lookup);
 }
 
 /// A finer noise has its texels closer together by the same factor.
@@ -118,6 +123,47 @@ TEST(Noise, ScaleDividesTheGrain)
         const glm::dvec3 at(0.013 * i, 0.4, 0.02 * i);
         EXPECT_NEAR(reference::noiseAt(noise, two, at, 0.02), reference::noiseAt(noise, one, at, 0.01), 1e-9);
     }
+}
+
+/// Grains lie evenly: as many as find room, and no two of them neighbours, across the tile's border, too.
+TEST(Noise, GrainsLieApart)
+{
+    constexpr int n = NoisePyramid::kSize;
+    for (const std::uint32_t seed : {0u, 1u, 7u, 0xFFFFFFFFu}) {
+        const NoisePyramid noise(seed, Style::oriented);
+        int found = 0, tooNear = 0, rooms = 0;
+        for (int z = 0; z < n; ++z)
+            for (int y = 0; y < n; ++y)
+                for (int x = 0; x < n; ++x) {
+                    int near = 0;
+                    for (int dz = -2; dz <= 2; ++dz)
+                        for (int dy = -2; dy <= 2; ++dy)
+                            for (int dx = -2; dx <= 2; ++dx)
+                                if (dx * dx + dy * dy + dz * dz < grains::kApart2)
+                                    near += texel(noise, x + dx, y + dy, z + dz);
+                    const int here = texel(noise, x, y, z);
+                    found += here;
+                    tooNear += here && near > 1;
+                    rooms += near == 0;
+                }
+        EXPECT_EQ(tooNear, 0) << seed;
+        EXPECT_EQ(rooms, 0) << seed;
+        EXPECT_NEAR(found / std::pow(double(n), 3), double(grains::kShare), 0.01 * double(grains::kShare)) << seed;
+    }
+    EXPECT_NE(NoisePyramid(5, Style::oriented).cells, NoisePyramid(6, Style::oriented).cells);
+}
+
+/// Their mean is taken off, at any distance, so no patch is lighter than another; and a zoom does not pop.
+TEST(Noise, GrainsHaveNoMeanAndBlendWithoutASeam)
+{
+    const NoisePyramid noise(1, Style::oriented);
+    const NoiseLookup lookup = makeNoiseLookup(1, 1, Style::oriented);
+    for (double footprint = 1e-4; footprint < 1; footprint *= 1.31) {
+        const std::vector<double> values = alongALine(noise, lookup, footprint, 1.7 * footprint, 20000);
+        EXPECT_NEAR(mean(values), 0, 0.003) << footprint;
+        EXPECT_NEAR(standardDeviation(values), 0.045, 0.015) << footprint;
+    }
+    expectNoSeams(noise, lookup);
 }
 
 /// The tile lies askew: a flat wall along the axes does not meet the same texels again.

@@ -13,16 +13,16 @@ constexpr int kTileWidth = 1024, kTileHeight = 8;  // Long runs of memory, and e
 static_assert(kTileWidth % JumpBoxes::kColumns == 0 && kTileHeight % JumpBoxes::kRows == 0);
 
 // Rows from `first` on are looked up.
-void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, const FreshRows& fresh, int first, bool waves)
+void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, const FreshRows& fresh, int first, bool weighted)
 {
     fresh.prepare(level.jumps, buffer.valid(), first);
-    if (waves) fresh.prepare(level.waves, buffer.valid(), first);
+    if (weighted) fresh.prepare(level.weighted, buffer.valid(), first);
     level.stride = stride;
     const JumpUnits units = jumpUnits(stride, buffer.flowUnitPx);
     level.displacementUnitPx = units.displacementPx;
     level.sumUnit = units.sum;
     level.lengthUnitPx = units.lengthPx;
-    level.waveUnit = units.wave;
+    level.weightedUnit = units.weighted;
 }
 
 // The first row of a level that is looked up: by the next level, or from anywhere in the picture.
@@ -36,20 +36,20 @@ void prepareDirection(const KernelModel& kernel, const JumpPlan& plan, const GBu
                       float sign, JumpHierarchy& jumps)
 {
     const Extent& valid = buffer.valid();
-    const bool waves = kernel.waves();
+    const bool weighted = kernel.weighted();
     jumps.sign = sign;
     while (jumps.levels.size() < plan.digits.size()) jumps.levels.push_back(std::make_unique<JumpLevel>());
     for (std::size_t i = 0; i < plan.digits.size(); ++i)
-        prepareLevel(*jumps.levels[i], plan.stride(i), buffer, fresh, firstLookedUp(plan, i, fresh, valid), waves);
-    if (plan.remainder > 0) prepareLevel(jumps.remainder, plan.remainder, buffer, fresh, valid.y0, waves);
-    jumps.rotations = rotationsOf(kernel, sign);
+        prepareLevel(*jumps.levels[i], plan.stride(i), buffer, fresh, firstLookedUp(plan, i, fresh, valid), weighted);
+    if (plan.remainder > 0) prepareLevel(jumps.remainder, plan.remainder, buffer, fresh, valid.y0, weighted);
+    jumps.turns = turnsOf(kernel, sign);
 }
 
 // Images of a level of jumps in one direction.
-std::vector<ImageRows> levelImages(JumpLevel& level, bool waves)
+std::vector<ImageRows> levelImages(JumpLevel& level, bool weighted)
 {
     std::vector<ImageRows> images{imageRows(level.jumps)};
-    if (waves) images.push_back(imageRows(level.waves));
+    if (weighted) images.push_back(imageRows(level.weighted));
     return images;
 }
 
@@ -66,14 +66,14 @@ JumpFootprint unitedFootprint(const std::vector<JumpFootprint>& directions)
 
 // The highest level is the one looked up furthest away, but where jumps lead is known by now, and little of all those
 // rows is on the way.
-void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<JumpBoxes>& boxes, bool waves,
+void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<JumpBoxes>& boxes, bool weighted,
                     Hierarchy& memory, GuardExchange& guards)
 {
     const std::size_t top = plan.digits.size() - 1;
     const std::vector<JumpFootprint> reached = guards.reached(boxes, plan.levelReach(top), plan.digits[top] - 1);
     std::vector<GuardPart> parts;
     for (std::size_t k = 0; k < memory.directions.size(); ++k)
-        parts.push_back({levelImages(*memory.directions[k].levels[top], waves), plan.levelReach(top),
+        parts.push_back({levelImages(*memory.directions[k].levels[top], weighted), plan.levelReach(top),
                          reached.empty() ? nullptr : &reached[k]});
     // Links are the same for both directions, and the nearest came with the level before.
     const JumpFootprint anyWay = reached.empty() ? JumpFootprint{} : unitedFootprint(reached);
@@ -84,13 +84,14 @@ void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<Jum
     guards.receive(parts);
 }
 
-void receiveLevel(GBuffer& buffer, const JumpPlan& plan, std::size_t i, bool waves, Hierarchy& memory,
+void receiveLevel(GBuffer& buffer, const JumpPlan& plan, std::size_t i, bool weighted, Hierarchy& memory,
                   GuardExchange& guards)
 {
     std::vector<GuardPart> parts{{{imageRows(buffer.links)}, plan.linkReach(i)}};
     for (JumpHierarchy& jumps : memory.directions) {
-        parts.push_back({levelImages(*jumps.levels[i], waves), plan.levelReach(i)});
-        if (i == 0 && plan.remainder > 0) parts.push_back({levelImages(jumps.remainder, waves), plan.remainderReach()});
+        parts.push_back({levelImages(*jumps.levels[i], weighted), plan.levelReach(i)});
+        if (i == 0 && plan.remainder > 0)
+            parts.push_back({levelImages(jumps.remainder, weighted), plan.remainderReach()});
     }
     guards.receive(parts);
 }
@@ -111,10 +112,10 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
     prepareDirection(kernel, plan, buffer, fresh, -1, memory.directions[1]);
     const HierarchicalPass pass{&memory,
                                 &plan,
-                                kernel.waves(),
+                                kernel.weighted(),
                                 lic.streaks,
-                                float(std::cos(lic.phase)),
-                                float(std::sin(lic.phase)),
+                                kernel.ofFirst,
+                                kernel.ofSecond,
                                 float(kernel.weight(0)),
                                 makeContrastModel(lic),
                                 &near,
@@ -128,7 +129,7 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
         return rows;
     };
     tiles(rowsOf(0), [&](const Extent& tile) { walkDirectTile(buffer, flow, pass, tile); });
-    if (guards) receiveLevel(buffer, plan, 0, pass.waves, memory, *guards);
+    if (guards) receiveLevel(buffer, plan, 0, pass.weighted, memory, *guards);
     for (std::size_t i = 0; i < plan.radix.size(); ++i) {
         std::vector<JumpBoxes> boxes;
         const bool highest = i + 1 == plan.radix.size();
@@ -141,9 +142,9 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
         });
         if (!guards) continue;
         if (highest)
-            receiveHighest(buffer, plan, boxes, pass.waves, memory, *guards);
+            receiveHighest(buffer, plan, boxes, pass.weighted, memory, *guards);
         else
-            receiveLevel(buffer, plan, i + 1, pass.waves, memory, *guards);
+            receiveLevel(buffer, plan, i + 1, pass.weighted, memory, *guards);
     }
     tiles(compute, [&](const Extent& tile) { finishTile(buffer, pass, tile); });
 }

@@ -26,18 +26,17 @@ namespace aeolic::cpu {
 ///   bits 56 … 63  the tube's width at the end, in 255ths of that at the start
 struct JumpLevel {
     Image<std::uint64_t> jumps;
-    Image<std::uint32_t>
-        waves;  ///< Of a kernel with a cosine: sums weighted by cos and sin of the kernel's angle, 16 bits each.
+    Image<std::uint32_t> weighted;  ///< The two sums weighted by the kernel's pair, 16 bits each, where it has one.
     int stride = 0;
-    float displacementUnitPx = 1, sumUnit = 1, lengthUnitPx = 1, waveUnit = 1;
+    float displacementUnitPx = 1, sumUnit = 1, lengthUnitPx = 1, weightedUnit = 1;
 };
 
-/// The jumps in one direction, and its waves.
+/// The jumps in one direction, and what their steps make of weighted sums.
 struct JumpHierarchy {
     float sign = 1;  ///< 1 downstream, -1 upstream.
     std::vector<std::unique_ptr<JumpLevel>> levels;
     JumpLevel remainder;
-    std::vector<Rotation> rotations;  ///< rotationsOf() the kernel.
+    std::vector<Turn> turns;  ///< turnsOf() the kernel.
 };
 
 /// Memory of the hierarchical method, kept between frames.
@@ -51,9 +50,9 @@ struct Hierarchy {
 struct HierarchicalPass {
     Hierarchy* memory;
     const JumpPlan* plan;
-    bool waves;
+    bool weighted;
     Streaks streaks;
-    float phaseCosine, phaseSine, ownWeight;
+    float ofFirst, ofSecond, ownWeight;  ///< Of the kernel.
     ContrastModel contrast;
     const NearFlow* near;
     LicImage* out;

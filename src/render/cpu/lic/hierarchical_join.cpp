@@ -16,9 +16,9 @@ namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Both directions of a trace.
-template <bool kWaves>
+template <bool kWeighted>
 struct BothWays {
-    JumpWalker<kWaves> down, up;
+    JumpWalker<kWeighted> down, up;
 
     HWY_INLINE explicit BothWays(const Traces& start)
     {
@@ -32,17 +32,16 @@ struct BothWays {
     HWY_INLINE void next(const JumpLevel& downLevel, const JumpLevel& upLevel, const LinkImage& links,
                          const std::array<JumpHierarchy, 2>& directions, int walked)
     {
-        const auto rotation = [&](std::size_t k) AEOLIC_INLINE {
-            return kWaves ? directions[k].rotations[std::size_t(walked)] : Rotation{};
-        };
+        const auto turn = [&](std::size_t k)
+                              AEOLIC_INLINE { return kWeighted ? directions[k].turns[std::size_t(walked)] : Turn{}; };
         JumpLookup downJump = down.ask(downLevel, links), upJump = up.ask(upLevel, links);
-        down.next(downLevel, downJump, links, rotation(0));
-        up.next(upLevel, upJump, links, rotation(1));
+        down.next(downLevel, downJump, links, turn(0));
+        up.next(upLevel, upJump, links, turn(1));
     }
 };
 
 // Joins `radix` jumps of one level to one of the next, both directions at once.
-template <bool kWaves>
+template <bool kWeighted>
 void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix, const Extent& tile)
 {
     const LinkImage links(buffer);
@@ -50,33 +49,33 @@ void joinJumps(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t 
     const int stride = directions[0].levels[from]->stride;
     const auto join = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (const JumpHierarchy& jumps : directions) {
-            prefetchBelow<kWaves>(*jumps.levels[from], at, (radix - 1) * stride + 1);
-            prefetchToWrite<kWaves>(*jumps.levels[from + 1], at);
+            prefetchBelow<kWeighted>(*jumps.levels[from], at, (radix - 1) * stride + 1);
+            prefetchToWrite<kWeighted>(*jumps.levels[from + 1], at);
         }
         const Traces start = startTraces(buffer, links, at);
-        BothWays<kWaves> walkers(start);
+        BothWays<kWeighted> walkers(start);
         walkers.down.first(*directions[0].levels[from], at);
         walkers.up.first(*directions[1].levels[from], at);
         for (int j = 1; j < radix && walkers.anyAlive(); ++j)
             walkers.next(*directions[0].levels[from], *directions[1].levels[from], links, directions, j * stride);
         const MU open = openAt(buffer, at);
-        const auto store = [&](JumpWalker<kWaves>& w, const JumpHierarchy& jumps) AEOLIC_INLINE {
+        const auto store = [&](JumpWalker<kWeighted>& w, const JumpHierarchy& jumps) AEOLIC_INLINE {
             w.count(links);
             settle(links, w.trace);
-            storeJump<kWaves>(*jumps.levels[from + 1], at, w.trace, w.walk, open, start.alive);
+            storeJump<kWeighted>(*jumps.levels[from + 1], at, w.trace, w.walk, open, start.alive);
         };
         store(walkers.down, directions[0]);
         store(walkers.up, directions[1]);
     };
     forEachVectorNear(buffer, *pass.near, tile, join, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
-        for (JumpHierarchy& jumps : directions) storeNoJump<kWaves>(*jumps.levels[from + 1], at);
+        for (JumpHierarchy& jumps : directions) storeNoJump<kWeighted>(*jumps.levels[from + 1], at);
     });
 }
 
 // The kernel's full length in both directions, from the highest level down.
-template <bool kWaves>
+template <bool kWeighted>
 HWY_INLINE void walkAll(const LinkImage& links, const HierarchicalPass& pass, std::ptrdiff_t at,
-                        BothWays<kWaves>& walkers)
+                        BothWays<kWeighted>& walkers)
 {
     bool first = true;
     int walked = 0;
@@ -100,7 +99,7 @@ HWY_INLINE void walkAll(const LinkImage& links, const HierarchicalPass& pass, st
 }
 
 // Both directions' sums and the pixel's own sample to its LIC value.
-template <bool kWaves>
+template <bool kWeighted>
 void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile)
 {
     const DF d;
@@ -109,20 +108,19 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
     const std::size_t top = pass.plan->digits.size() - 1;
     const int reach = (pass.plan->digits[top] - 1) * pass.plan->stride(top) + 1;
     const auto finishVector = [&](std::ptrdiff_t at, int x, int y) AEOLIC_INLINE {
-        for (const JumpHierarchy& jumps : pass.memory->directions) prefetchBelow<kWaves>(*jumps.levels[top], at, reach);
+        for (const JumpHierarchy& jumps : pass.memory->directions)
+            prefetchBelow<kWeighted>(*jumps.levels[top], at, reach);
         const Traces start = startTraces(buffer, links, at);
-        BothWays<kWaves> walkers(start);
-        walkAll<kWaves>(links, pass, at, walkers);
+        BothWays<kWeighted> walkers(start);
+        walkAll<kWeighted>(links, pass, at, walkers);
         const Walk &down = walkers.down.walk, &up = walkers.up.walk;
         const FlowSample origin = flowAtPixel(buffer, at);
         const VF own = ownLength(origin.vector, vectorUnitPx(buffer));
         VF sum = hn::Add(down.sum, up.sum);
-        if constexpr (kWaves) {
-            // (1 + cos(angle - phase)) / 2 from the plain sum and the two waves.
-            const VF cosSum = hn::Add(down.cosSum, up.cosSum), sinSum = hn::Add(down.sinSum, up.sinSum);
-            const VF wave =
-                hn::MulAdd(hn::Set(d, pass.phaseCosine), cosSum, hn::Mul(hn::Set(d, pass.phaseSine), sinSum));
-            sum = hn::Mul(hn::Set(d, 0.5f), hn::Add(sum, wave));
+        if constexpr (kWeighted) {
+            const VF first = hn::Add(down.first, up.first), second = hn::Add(down.second, up.second);
+            const VF weighted = hn::MulAdd(hn::Set(d, pass.ofFirst), first, hn::Mul(hn::Set(d, pass.ofSecond), second));
+            sum = hn::Mul(hn::Set(d, 0.5f), hn::Add(sum, weighted));
         }
         sum = hn::MulAdd(hn::Mul(own, hn::Set(d, pass.ownWeight)), origin.noise, sum);
         const VF length = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));
@@ -139,11 +137,12 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
 
 void joinJumpsAny(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix, const Extent& tile)
 {
-    pass.waves ? joinJumps<true>(buffer, pass, from, radix, tile) : joinJumps<false>(buffer, pass, from, radix, tile);
+    pass.weighted ? joinJumps<true>(buffer, pass, from, radix, tile)
+                  : joinJumps<false>(buffer, pass, from, radix, tile);
 }
 void finishAny(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile)
 {
-    pass.waves ? finish<true>(buffer, pass, tile) : finish<false>(buffer, pass, tile);
+    pass.weighted ? finish<true>(buffer, pass, tile) : finish<false>(buffer, pass, tile);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // A trace in one direction while it walks step by step. Of a sample only its counts are kept, and not the texels
 // looked up: those are too many for the registers.
-template <bool kWaves, bool kEven>
+template <bool kWeighted, bool kEven>
 struct Walker {
     JumpHierarchy& jumps;
     Traces trace;
@@ -35,10 +35,10 @@ struct Walker {
         const VF ds = hn::IfThenElseZero(trace.alive, hn::Mul(length, there)), gained = hn::Mul(ds, noise);
         walk.sum = hn::Add(walk.sum, gained);
         walk.lengthPx = hn::Add(walk.lengthPx, ds);
-        if constexpr (kWaves) {
-            const Rotation& wave = jumps.rotations[std::size_t(step)];
-            walk.cosSum = hn::MulAdd(gained, hn::Set(d, wave.cosine), walk.cosSum);
-            walk.sinSum = hn::MulAdd(gained, hn::Set(d, wave.sine), walk.sinSum);
+        if constexpr (kWeighted) {
+            const Turn& by = jumps.turns[std::size_t(step)];
+            walk.first = hn::MulAdd(gained, hn::Set(d, by.aa), walk.first);
+            walk.second = hn::MulAdd(gained, hn::Set(d, by.ba), walk.second);
         }
         walk.width = hn::IfThenElse(trace.alive, hn::Mul(there, narrowing), walk.width);
         trace.alive = hn::And(trace.alive, flowsOn(before, here));
@@ -65,9 +65,9 @@ struct Walker {
 };
 
 // A walker that has not begun. What its first sample finds to count is nothing.
-template <bool kWaves, bool kEven>
-HWY_INLINE Walker<kWaves, kEven> startWalker(JumpHierarchy& jumps, const Traces& trace, const FlowVector& origin,
-                                             float unitPx)
+template <bool kWeighted, bool kEven>
+HWY_INLINE Walker<kWeighted, kEven> startWalker(JumpHierarchy& jumps, const Traces& trace, const FlowVector& origin,
+                                                float unitPx)
 {
     const VF zero = hn::Zero(DF()), one = hn::Set(DF(), 1.0f);
     return {jumps, trace, noWalk(), origin, origin, zero, zero, one, jumps.sign * unitPx};
@@ -76,28 +76,28 @@ HWY_INLINE Walker<kWaves, kEven> startWalker(JumpHierarchy& jumps, const Traces&
 // Walks the first steps one by one. Second-order steps two pixels long whose middles serve as samples too: every
 // look-up is both a Runge-Kutta stage and a noise sample, half the cost of unit RK2 steps at nearly their accuracy.
 // Both directions at once, so that one's arithmetic hides the other's loads: each asks before either goes.
-template <bool kWaves, bool kEven>
+template <bool kWeighted, bool kEven>
 void walkDirect(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
 {
-    using OneWay = Walker<kWaves, kEven>;
+    using OneWay = Walker<kWeighted, kEven>;
     const LinkImage links(buffer);
     const DF d;
     const int steps = pass.plan->direct, remainder = pass.plan->remainder;
     const float vectorPx = vectorUnitPx(buffer);
     const auto walk = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         prefetchBelow(flow.cells, at, steps + 1, hn::Lanes(d));
-        for (const JumpHierarchy& jumps : pass.memory->directions) prefetchToWrite<kWaves>(*jumps.levels[0], at);
+        for (const JumpHierarchy& jumps : pass.memory->directions) prefetchToWrite<kWeighted>(*jumps.levels[0], at);
         const FlowVector origin = flowAtPixel(buffer, at).vector;
         const MU open = openAt(buffer, at);
         Traces start = startTraces(buffer, links, at);
         const MF hasFlow = start.alive;
         start.alive = hn::And(start.alive, flowsOn(origin, origin));
-        auto down = startWalker<kWaves, kEven>(pass.memory->directions[0], start, origin, vectorPx);
-        auto up = startWalker<kWaves, kEven>(pass.memory->directions[1], start, origin, vectorPx);
+        auto down = startWalker<kWeighted, kEven>(pass.memory->directions[0], start, origin, vectorPx);
+        auto up = startWalker<kWeighted, kEven>(pass.memory->directions[1], start, origin, vectorPx);
         // A copy is asked: a walker that goes on counts its last sample then.
         const auto store = [&](OneWay w, JumpLevel& level, int step) AEOLIC_INLINE {
             w.count(step);
-            storeJump<kWaves>(level, at, w.trace, w.walk, open, hasFlow);
+            storeJump<kWeighted>(level, at, w.trace, w.walk, open, hasFlow);
         };
         const auto storeRemainder = [&](int step) AEOLIC_INLINE {
             store(down, down.jumps.remainder, step);
@@ -124,22 +124,22 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
     };
     forEachVectorNear(buffer, *pass.near, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         for (JumpHierarchy& jumps : pass.memory->directions) {
-            storeNoJump<kWaves>(*jumps.levels[0], at);
-            if (remainder > 0) storeNoJump<kWaves>(jumps.remainder, at);
+            storeNoJump<kWeighted>(*jumps.levels[0], at);
+            if (remainder > 0) storeNoJump<kWeighted>(jumps.remainder, at);
         }
     });
 }
 
-template <bool kWaves>
+template <bool kWeighted>
 void walkDirectHow(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
 {
-    pass.streaks == Streaks::even ? walkDirect<kWaves, true>(buffer, flow, pass, tile)
-                                  : walkDirect<kWaves, false>(buffer, flow, pass, tile);
+    pass.streaks == Streaks::even ? walkDirect<kWeighted, true>(buffer, flow, pass, tile)
+                                  : walkDirect<kWeighted, false>(buffer, flow, pass, tile);
 }
 
 void walkDirectAny(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
 {
-    pass.waves ? walkDirectHow<true>(buffer, flow, pass, tile) : walkDirectHow<false>(buffer, flow, pass, tile);
+    pass.weighted ? walkDirectHow<true>(buffer, flow, pass, tile) : walkDirectHow<false>(buffer, flow, pass, tile);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

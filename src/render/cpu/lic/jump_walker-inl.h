@@ -27,7 +27,7 @@ struct JumpLookup {
 struct JumpGain {
     VF sum, length, width;
     MF reached;         ///< Not ended on the way to the jump: gains what it walks, though it may end on it.
-    Block4<VF> weight;  ///< Of the taps at `at`, for their waves.
+    Block4<VF> weight;  ///< Of the taps at `at`, for their weighted.
     VI at;
 };
 
@@ -125,9 +125,8 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
 }
 
 /// Adds what the traces gather on a jump.
-template <bool kWaves>
-HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const LinkImage& links, Rotation rotation,
-                          Walk& walk)
+template <bool kWeighted>
+HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const LinkImage& links, Turn turn, Walk& walk)
 {
     const DF d;
     const DU du;
@@ -137,31 +136,31 @@ HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const Li
     walk.lengthPx =
         hn::MulAdd(hn::Mul(gain.length, hn::Set(d, level.lengthUnitPx * kLengthUnit)), width, walk.lengthPx);
     walk.width = hn::IfThenElse(gain.reached, hn::Mul(width, hn::Mul(gain.width, hn::Set(d, kWidthUnit))), walk.width);
-    if constexpr (kWaves) {
-        const auto* from = links.base(level.waves);
+    if constexpr (kWeighted) {
+        const auto* from = links.base(level.weighted);
         const VU w00 = hn::GatherIndex(du, from, gain.at), w10 = hn::GatherIndex(du, from + 1, gain.at);
         const VU w01 = hn::GatherIndex(du, from + links.stride, gain.at),
                  w11 = hn::GatherIndex(du, from + links.stride + 1, gain.at);
-        const auto waves = [&](auto field) AEOLIC_INLINE {
+        const auto weighted = [&](auto field) AEOLIC_INLINE {
             return blendTaps(gain.weight, field(w00), field(w10), field(w01), field(w11));
         };
-        const VF waveUnit = hn::Mul(width, hn::Set(d, level.waveUnit * kHalfUnit));
-        addWaves(hn::Mul(waveUnit, waves([](VU v) AEOLIC_INLINE { return lowHalf(v); })),
-                 hn::Mul(waveUnit, waves([](VU v) AEOLIC_INLINE { return highHalf(v); })), rotation, gain.reached,
-                 walk);
+        const VF weightedUnit = hn::Mul(width, hn::Set(d, level.weightedUnit * kHalfUnit));
+        addWeighted(hn::Mul(weightedUnit, weighted([](VU v) AEOLIC_INLINE { return lowHalf(v); })),
+                    hn::Mul(weightedUnit, weighted([](VU v) AEOLIC_INLINE { return highHalf(v); })), turn, gain.reached,
+                    walk);
     }
 }
 
 /// A trace in one direction, jump by jump.
-template <bool kWaves>
+template <bool kWeighted>
 struct JumpWalker {
     Traces trace;
     Walk walk;
     JumpGain gain;                         // What the last jump brought, not counted yet.
     const JumpLevel* uncounted = nullptr;  // The level of that jump; null once it is counted.
-    Rotation rotation;                     // At the start of that jump.
+    Turn turn;                             // At the start of that jump.
 
-    HWY_INLINE void first(const JumpLevel& level, std::ptrdiff_t at) { firstJump<kWaves>(level, at, trace, walk); }
+    HWY_INLINE void first(const JumpLevel& level, std::ptrdiff_t at) { firstJump<kWeighted>(level, at, trace, walk); }
 
     HWY_INLINE JumpLookup ask(const JumpLevel& level, const LinkImage& links) const
     {
@@ -170,17 +169,17 @@ struct JumpWalker {
 
     // Takes the jump it asked for. The one before is counted only now, while this one is on its way: what they wait for
     // must not wait for it.
-    HWY_INLINE void next(const JumpLevel& level, JumpLookup& look, const LinkImage& links, Rotation by)
+    HWY_INLINE void next(const JumpLevel& level, JumpLookup& look, const LinkImage& links, Turn by)
     {
         count(links);
         moveByJump(level, look, links, trace, gain);
         uncounted = &level;
-        rotation = by;
+        turn = by;
     }
 
     HWY_INLINE void count(const LinkImage& links)
     {
-        if (uncounted) countJump<kWaves>(*uncounted, gain, links, rotation, walk);
+        if (uncounted) countJump<kWeighted>(*uncounted, gain, links, turn, walk);
         uncounted = nullptr;
     }
 };

@@ -19,9 +19,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// What a trace has gathered so far.
 struct Walk {
-    VF sum, lengthPx;   ///< Noise in bytes times pixels; pixels. Both weighted by the width.
-    VF width;           ///< The least of the stream tube so far, beside that at the start.
-    VF cosSum, sinSum;  ///< Hann only: noise weighted by e^(i omega step).
+    VF sum, lengthPx;  ///< Noise in bytes times pixels; pixels. Both weighted by the width.
+    VF width;          ///< The least of the stream tube so far, beside that at the start.
+    VF first, second;  ///< Noise weighted by the kernel's pair (KernelModel), where it has one.
 };
 
 HWY_INLINE Walk noWalk()
@@ -103,17 +103,19 @@ HWY_INLINE VU packJump(VU open, VU alive, VF length, VF sum, VF width)
     return hn::Or(open, hn::BitCast(DU(), hn::Or(word, hn::ShiftLeft<jump_word::kWidthShift>(widthBits))));
 }
 
-/// Adds a jump's wave sums, turned by the steps walked before it: they count from the jump's own start.
-HWY_INLINE void addWaves(VF cosSum, VF sinSum, Rotation by, MF use, Walk& walk)
+/// Adds a jump's weighted sums, turned by the steps walked before it: they count from the jump's own start.
+HWY_INLINE void addWeighted(VF first, VF second, const Turn& by, MF use, Walk& walk)
 {
     const DF d;
-    const VF c = hn::Set(d, by.cosine), s = hn::Set(d, by.sine);
-    walk.cosSum = hn::Add(walk.cosSum, hn::IfThenElseZero(use, hn::NegMulAdd(sinSum, s, hn::Mul(cosSum, c))));
-    walk.sinSum = hn::Add(walk.sinSum, hn::IfThenElseZero(use, hn::MulAdd(cosSum, s, hn::Mul(sinSum, c))));
+    const auto turned = [&](VF same, float ofSame, VF other, float ofOther) AEOLIC_INLINE {
+        return hn::IfThenElseZero(use, hn::MulAdd(other, hn::Set(d, ofOther), hn::Mul(same, hn::Set(d, ofSame))));
+    };
+    walk.first = hn::Add(walk.first, turned(first, by.aa, second, by.ab));
+    walk.second = hn::Add(walk.second, turned(second, by.bb, first, by.ba));
 }
 
 /// The jump of the pixels `at` themselves: the first of every trace, without interpolation.
-template <bool kWaves>
+template <bool kWeighted>
 HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, Walk& walk)
 {
     const DF d;
@@ -129,42 +131,43 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
     walk.sum = hn::Mul(sumField(meta), hn::Set(d, level.sumUnit * kSumUnit));
     walk.lengthPx = hn::Mul(lengthField(meta), hn::Set(d, level.lengthUnitPx * kLengthUnit));
     walk.width = hn::Mul(widthField(meta), hn::Set(d, kWidthUnit));
-    if constexpr (kWaves) {
-        const VU wave = hn::LoadU(du, level.waves.origin() + at);
-        const VF waveUnit = hn::Set(d, level.waveUnit * kHalfUnit);
-        addWaves(hn::Mul(lowHalf(wave), waveUnit), hn::Mul(highHalf(wave), waveUnit), {}, t.alive, walk);
+    if constexpr (kWeighted) {
+        const VU weighted = hn::LoadU(du, level.weighted.origin() + at);
+        const VF weightedUnit = hn::Set(d, level.weightedUnit * kHalfUnit);
+        addWeighted(hn::Mul(lowHalf(weighted), weightedUnit), hn::Mul(highHalf(weighted), weightedUnit), {}, t.alive,
+                    walk);
     }
     t.alive = hn::And(t.alive, hn::RebindMask(d, hasBit(meta, jump_word::kAliveBit)));
 }
 
 /// Jumps that traces from the pixels `at` look up `rows` below, and will be looked up there soon.
-template <bool kWaves>
+template <bool kWeighted>
 HWY_INLINE void prefetchBelow(const JumpLevel& level, std::ptrdiff_t at, int rows)
 {
     cpu::prefetchBelow(level.jumps, at, rows, hn::Lanes(DF()));
-    if constexpr (kWaves) cpu::prefetchBelow(level.waves, at, rows, hn::Lanes(DF()));
+    if constexpr (kWeighted) cpu::prefetchBelow(level.weighted, at, rows, hn::Lanes(DF()));
 }
 
 /// Jumps that are stored soon.
-template <bool kWaves>
+template <bool kWeighted>
 HWY_INLINE void prefetchToWrite(const JumpLevel& level, std::ptrdiff_t at)
 {
     cpu::prefetchToWrite(level.jumps, at, hn::Lanes(DF()));
-    if constexpr (kWaves) cpu::prefetchToWrite(level.waves, at, hn::Lanes(DF()));
+    if constexpr (kWeighted) cpu::prefetchToWrite(level.weighted, at, hn::Lanes(DF()));
 }
 
 /// Background: a jump that goes nowhere.
-template <bool kWaves>
+template <bool kWeighted>
 HWY_INLINE void storeNoJump(JumpLevel& level, std::ptrdiff_t at)
 {
     const VU zero = hn::Zero(DU());
     hn::StoreInterleaved2(zero, zero, DU(), reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
-    if constexpr (kWaves) hn::StoreU(zero, DU(), level.waves.origin() + at);
+    if constexpr (kWeighted) hn::StoreU(zero, DU(), level.weighted.origin() + at);
 }
 
 /// Packs what the traces have walked as jumps of `level` at the pixels `at`. Those without flow become zeros on every
 /// rank: rows that are received have zeros there, too.
-template <bool kWaves>
+template <bool kWeighted>
 HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, const Walk& walk, MU isOpen, MF hasFlow)
 {
     const DF d;
@@ -177,9 +180,9 @@ HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, 
         packJump(open, alive, scaled(walk.lengthPx, level.lengthUnitPx), scaled(walk.sum, level.sumUnit), walk.width);
     const VU meta = hn::IfThenElseZero(hn::RebindMask(du, hasFlow), packed);
     hn::StoreInterleaved2(place, meta, du, reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
-    if constexpr (kWaves)
-        hn::StoreU(joinHalves(scaled(walk.cosSum, level.waveUnit), scaled(walk.sinSum, level.waveUnit)), du,
-                   level.waves.origin() + at);
+    if constexpr (kWeighted)
+        hn::StoreU(joinHalves(scaled(walk.first, level.weightedUnit), scaled(walk.second, level.weightedUnit)), du,
+                   level.weighted.origin() + at);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

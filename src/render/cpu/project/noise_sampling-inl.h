@@ -65,8 +65,25 @@ HWY_INLINE V noiseLevel(D d, const NoisePyramid& noise, const Vec3v<V>& texel)
     return lerp(blend(noiseFace(d, corners)), blend(noiseFace(d, hn::ShiftRight<4>(corners))), wz);
 }
 
+/// How much the coarser level of grains counts; `m` is 1 to 2 within an octave.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V grainBlend(D d, V m)
+{
+    const V slope = hn::Set(d, 1.0f / (grains::kBlendTo - grains::kBlendFrom));
+    const V blend = hn::Mul(hn::Sub(m, hn::Set(d, grains::kBlendFrom)), slope);
+    return hn::Min(hn::Max(blend, hn::Zero(d)), hn::Set(d, 1.0f));
+}
+
+/// Noise of grains, 1 or -1 where there is none, as their height above the mean; `m` as above.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V grainHeight(D d, V noise, V m, float height)
+{
+    const V above = hn::MulAdd(noise, hn::Set(d, 0.5f), hn::Set(d, 0.5f - grains::kShare));
+    return hn::Mul(above, hn::Mul(m, hn::Set(d, height)));
+}
+
 /// Noise at P-space positions for a footprint (world units): the levels o and o + 1 with 2^o <= footprint < 2^(o+1),
-/// blended in proportion, with the contrast of a single level restored.
+/// blended, with the contrast of a single level restored. Grains: 0 to 1, less their mean.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V sampleNoise(D d, const NoisePyramid& noise, const NoiseLookup& lookup, const Vec3v<V>& local, V footprint)
 {
@@ -81,7 +98,8 @@ HWY_INLINE V sampleNoise(D d, const NoisePyramid& noise, const NoiseLookup& look
     const auto bits = hn::BitCast(di, hn::Mul(footprint, hn::Set(d, float(lookup.levelFromFootprint))));
     const auto exponent = hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127));
     const auto mantissa = hn::BitCast(d, hn::Or(hn::And(bits, hn::Set(di, 0x007FFFFF)), hn::Set(di, 0x3F800000)));
-    const auto blend = hn::Sub(mantissa, hn::Set(d, 1.0f));
+    const auto one = hn::Set(d, 1.0f);
+    const auto blend = lookup.grains ? grainBlend(d, mantissa) : hn::Sub(mantissa, one);
     const auto shrink = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(di, 127), exponent)));  // 2^-exponent
     const auto level = hn::ConvertTo(d, exponent);
     const auto at = [&](auto o, auto factor) {
@@ -89,9 +107,13 @@ HWY_INLINE V sampleNoise(D d, const NoisePyramid& noise, const NoiseLookup& look
         return Vec3v<V>{hn::MulAdd(texel.x, factor, shift(0)), hn::MulAdd(texel.y, factor, shift(1)),
                         hn::MulAdd(texel.z, factor, shift(2))};
     };
-    const auto fine = noiseLevel(d, noise, at(level, shrink));
-    const auto coarse = noiseLevel(d, noise, at(hn::Add(level, hn::Set(d, 1.0f)), hn::Mul(shrink, hn::Set(d, 0.5f))));
-    const auto keep = hn::Sub(hn::Set(d, 1.0f), blend);
+    auto fine = noiseLevel(d, noise, at(level, shrink));
+    auto coarse = noiseLevel(d, noise, at(hn::Add(level, one), hn::Mul(shrink, hn::Set(d, 0.5f))));
+    const auto keep = hn::Sub(one, blend);
+    if (lookup.grains) {
+        fine = grainHeight(d, fine, mantissa, grains::kHeight);
+        coarse = grainHeight(d, coarse, mantissa, 0.5f * grains::kHeight);
+    }
     const auto power = hn::MulAdd(keep, keep, hn::Mul(blend, blend));
     return hn::Mul(hn::MulAdd(coarse, blend, hn::Mul(fine, keep)), inverseLength(d, power));
 }

@@ -73,7 +73,8 @@ void Projection::measurePiece()
 
 void Projection::takeNoise(const View& view)
 {
-    if (noise_.seed != view.noiseSeed) noise_ = NoisePyramid(view.noiseSeed);
+    if (noise_.seed != view.noiseSeed || noise_.style != view.noiseStyle)
+        noise_ = NoisePyramid(view.noiseSeed, view.noiseStyle);
 }
 
 template <class MayShow, class Resolve, class Clear>

@@ -45,6 +45,7 @@ ViewBlock makeViewBlock(const View& view, int firstRow, int rows)
     block.normalizeSteps = view.normalize;
     block.vectorFactor = view.vectorFactor;
     block.vectorUnit = view.vectorUnit;
+    block.grains = view.noise.grains;
     return block;
 }
 

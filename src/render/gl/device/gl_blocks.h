@@ -25,7 +25,7 @@ struct ViewBlock {  // view.glsl
     std::int32_t imageSize[2], firstRow, rows;
     std::uint32_t normalizeSteps;
     float vectorFactor, vectorUnit;
-    std::uint32_t unused;
+    std::uint32_t grains;
 };
 static_assert(sizeof(ViewBlock) == 192);
 

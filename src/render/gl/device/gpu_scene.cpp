@@ -150,16 +150,17 @@ void GpuScene::loadFields()
     checkErrors("loading the field");
 }
 
-void GpuScene::setNoise(std::uint32_t seed)
+void GpuScene::setNoise(std::uint32_t seed, Style style)
 {
-    if (noise_ && noiseSeed_ == seed) return;
-    const NoisePyramid pyramid(seed);
+    if (noise_ && noiseSeed_ == seed && noiseStyle_ == style) return;
+    const NoisePyramid pyramid(seed, style);
     constexpr int size = NoisePyramid::kSize;
     if (!noise_) noise_ = Texture::volume(GL_R8UI, size, size, size);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage3D(noise_.id(), 0, 0, 0, 0, size, size, size, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
                         pyramid.cells.data());
     noiseSeed_ = seed;
+    noiseStyle_ = style;
 }
 
 void GpuScene::bindMesh() const

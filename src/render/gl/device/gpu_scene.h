@@ -21,8 +21,8 @@ public:
     void draw() const;        ///< All triangles, in order.
     std::size_t triangles() const { return std::size_t(indices_) / 3; }
 
-    /// Makes the noise that of `seed`.
-    void setNoise(std::uint32_t seed);
+    /// Makes the noise that of `seed` and `style`.
+    void setNoise(std::uint32_t seed, Style style);
 
 private:
     void loadMesh(bool triangles);
@@ -33,6 +33,7 @@ private:
     VertexArray array_;
     Texture field_, scalarField_, noise_;
     std::uint32_t noiseSeed_ = 0;
+    Style noiseStyle_ = Style::dense;
     GLsizei indices_ = 0;
 };
 

@@ -85,6 +85,10 @@ const std::string& constants()
         add("kNearTile", kNearTile);
         add("kRowOfTiles", std::uint32_t(kRowOfTiles));
         add("kNoiseSize", int(NoisePyramid::kSize));
+        add("kGrainShare", grains::kShare);
+        add("kGrainBlendFrom", grains::kBlendFrom);
+        add("kGrainBlendTo", grains::kBlendTo);
+        add("kGrainHeight", grains::kHeight);
         add("kNoiseOffsetX", float(kNoiseLevelOffset[0]));
         add("kNoiseOffsetY", float(kNoiseLevelOffset[1]));
         add("kNoiseOffsetZ", float(kNoiseLevelOffset[2]));

@@ -7,8 +7,8 @@ void DirectConvolution::run(const ConvolvePass& pass, const LicOptions& lic, int
 {
     const KernelModel kernel = makeKernelModel(lic);
     const GLuint program =
-        pass.programs.compute("direct", {{"INTEGRATOR", int(lic.integrator)}, {"WAVES", kernel.waves()}});
-    if (kernel.waves()) {
+        pass.programs.compute("direct", {{"INTEGRATOR", int(lic.integrator)}, {"WEIGHTED", kernel.weighted()}});
+    if (kernel.weighted()) {
         const KernelWeights sampled = makeKernelWeights(kernel);
         const std::size_t bytes = sampled.forward.size() * sizeof(float);
         const Buffer& weights = weights_.reserve(2 * bytes);

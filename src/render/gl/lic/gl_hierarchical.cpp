@@ -15,8 +15,8 @@ JumpBlock makeJumpBlock(const JumpPlan& plan, float flowUnitPx)
     JumpBlock block{};
     const auto set = [&](std::size_t i, int stride, int count) {
         const JumpUnits units = jumpUnits(stride, flowUnitPx);
-        block.units[i] = {units.displacementPx, units.sum, units.lengthPx, units.wave};
-        block.perUnit[i] = {1 / units.displacementPx, 1 / units.sum, 1 / units.lengthPx, 1 / units.wave};
+        block.units[i] = {units.displacementPx, units.sum, units.lengthPx, units.weighted};
+        block.perUnit[i] = {1 / units.displacementPx, 1 / units.sum, 1 / units.lengthPx, 1 / units.weighted};
         block.counts[i][0] = stride;
         block.counts[i][1] = count;
     };
@@ -30,13 +30,13 @@ JumpBlock makeJumpBlock(const JumpPlan& plan, float flowUnitPx)
 }
 
 /// Both directions of a level of jumps.
-std::vector<GuardRowExchange::Plane> planesOf(const FrameImages& images, int level, bool withWaves)
+std::vector<GuardRowExchange::Plane> planesOf(const FrameImages& images, int level, bool withWeighted)
 {
     std::vector<GuardRowExchange::Plane> planes;
     for (int layer = 2 * level; layer < 2 * level + 2; ++layer) {
         planes.push_back({&images.places, layer});
         planes.push_back({&images.metas, layer});
-        if (withWaves) planes.push_back({&images.waves, layer});
+        if (withWeighted) planes.push_back({&images.weighted, layer});
     }
     return planes;
 }
@@ -50,16 +50,16 @@ void HierarchicalConvolution::prepare(const ConvolvePass& pass, const LicOptions
         plannedSteps_ = lic.steps;
     }
     const KernelModel kernel = makeKernelModel(lic);
-    pass.images.resizeJumps(int(plan_.digits.size()) + (plan_.remainder > 0), kernel.waves());
+    pass.images.resizeJumps(int(plan_.digits.size()) + (plan_.remainder > 0), kernel.weighted());
     const JumpBlock block = makeJumpBlock(plan_, pass.flowUnitPx);
     if (block_.bytes() == 0) block_ = Buffer(sizeof block, GL_DYNAMIC_STORAGE_BIT);
     block_.write(0, sizeof block, &block);
     glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
-    if (!kernel.waves()) return;
-    const std::vector<Rotation> rotations = rotationsOf(kernel, 1);
-    const std::size_t bytes = rotations.size() * sizeof rotations[0];
-    rotations_.reserve(bytes).write(0, bytes, rotations.data());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
+    if (!kernel.weighted()) return;
+    const std::vector<Turn> turns = turnsOf(kernel, 1);
+    const std::size_t bytes = turns.size() * sizeof turns[0];
+    turns_.reserve(bytes).write(0, bytes, turns.data());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, turns_.get().id());
 }
 
 void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& lic, int y0, int y1,
@@ -68,17 +68,17 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
     prepare(pass, lic);
     const FrameImages& images = pass.images;
     const KernelModel kernel = makeKernelModel(lic);
-    const bool waves = kernel.waves();
-    const std::vector<Define> defines{{"WAVES", waves}};
+    const bool weighted = kernel.weighted();
+    const std::vector<Define> defines{{"WEIGHTED", weighted}};
     const auto compute = [&](GLuint program, int levelY0, int levelY1) {
         bindTraces(pass, program);
         images.places.bind(4);
         images.metas.bind(5);
         images.places.bindImage(0);
         images.metas.bindImage(1);
-        if (waves) images.waves.bind(6), images.waves.bindImage(2);
+        if (weighted) images.weighted.bind(6), images.weighted.bindImage(2);
         glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
-        if (waves) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
+        if (weighted) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, turns_.get().id());
         pass.near.run(program, levelY0, levelY1, 2);
     };
     // A level, or what one program makes of several. What others read of it is computed first, and travels while the
@@ -94,7 +94,7 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
         guards->receive();
     };
     const auto exchanged = [&](std::size_t i, int reach) {
-        if (guards) guards->add(planesOf(images, int(i), waves), reach);
+        if (guards) guards->add(planesOf(images, int(i), weighted), reach);
     };
     const std::size_t levels = plan_.digits.size();
     const GLuint walk = pass.programs.compute("hierarchical_walk", defines);
@@ -111,13 +111,13 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
     }
     const GLuint finish = pass.programs.compute("hierarchical_finish", defines);
     setContrast(finish, lic);
-    glProgramUniform3f(finish, 3, float(std::cos(lic.phase)), float(std::sin(lic.phase)), float(kernel.weight(0)));
+    glProgramUniform3f(finish, 3, kernel.ofFirst, kernel.ofSecond, float(kernel.weight(0)));
     bindTraces(pass, finish);
     images.places.bind(4);
     images.metas.bind(5);
-    if (waves) images.waves.bind(6);
+    if (weighted) images.weighted.bind(6);
     glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
-    if (waves) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rotations_.get().id());
+    if (weighted) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, turns_.get().id());
     images.lic.bindImage(0);
     pass.near.run(finish, y0, y1);
 }

@@ -52,7 +52,7 @@ private:
     JumpPlan plan_;
     int plannedSteps_ = 0;
     Buffer block_;
-    GrowingBuffer rotations_{GL_DYNAMIC_STORAGE_BIT};
+    GrowingBuffer turns_{GL_DYNAMIC_STORAGE_BIT};
 };
 
 /// The second convolution (render/lic/along_flow.h) of rows [y0, y1) of those held.

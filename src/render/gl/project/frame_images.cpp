@@ -51,7 +51,7 @@ void FrameImages::resize(int width, int height, const Extent& rows, bool withSca
     }
     rows_ = std::min(std::max(rows.height() + slack, 1), height);
     for (Texture* texture :
-         {&surface, &flow, &links, &scalar, &colors, &openFlow, &wholeFlow, &lic, &words, &places, &metas, &waves})
+         {&surface, &flow, &links, &scalar, &colors, &openFlow, &wholeFlow, &lic, &words, &places, &metas, &weighted})
         *texture = {};  // Before new ones are taken: never both.
     surface = Texture::image(GL_RGBA32F, width, rows_);
     flow = Texture::image(GL_R32UI, width, rows_);
@@ -64,7 +64,7 @@ void FrameImages::resize(int width, int height, const Extent& rows, bool withSca
     words = Texture::image(GL_R32UI, width, rows_);
 }
 
-void FrameImages::resizeJumps(int levels, bool withWaves)
+void FrameImages::resizeJumps(int levels, bool withWeighted)
 {
     const int layers = 2 * levels;
     const auto make = [&](Texture& texture) {
@@ -74,7 +74,7 @@ void FrameImages::resizeJumps(int levels, bool withWaves)
     };
     make(places);
     make(metas);
-    if (withWaves) make(waves);
+    if (withWeighted) make(weighted);
 }
 
 void FrameImages::bindColors(GLuint scalarUnit, GLuint colorsUnit) const
@@ -86,7 +86,7 @@ void FrameImages::bindColors(GLuint scalarUnit, GLuint colorsUnit) const
 void FrameImages::clearBeyond() const
 {
     const int y0 = valid.height(), y1 = std::min(y0 + kRowsBeyond, rows_);
-    for (const Texture* texture : {&flow, &links, &openFlow, &wholeFlow, &places, &metas, &waves})
+    for (const Texture* texture : {&flow, &links, &openFlow, &wholeFlow, &places, &metas, &weighted})
         if (*texture) texture->clearRows(y0, y1);
 }
 

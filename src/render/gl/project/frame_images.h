@@ -13,7 +13,7 @@ struct FrameImages {
     /// rows are held than ever. Throws InputError where the device has not enough.
     void resize(int width, int height, const Extent& valid, bool withScalar, bool withColors);
     /// Layers for so many levels of jumps, remainder included.
-    void resizeJumps(int levels, bool withWaves);
+    void resizeJumps(int levels, bool withWeighted);
 
     /// Scalar and colours. Where there are none, something else of the kind: drivers complain of samplers without a
     /// texture, also where shaders do not get to them.
@@ -21,16 +21,16 @@ struct FrameImages {
 
     Extent valid;
 
-    Texture visible, depth;        ///< [whole] triangle + 1; near / depth.
-    Framebuffer target;            ///< Draws into both.
-    Texture surface;               ///< invDepth, gradX, gradY, light where covered.
-    Texture flow, links;           ///< What GBuffer says; links near flow alone.
-    Texture scalar;                ///< Where the scene has one.
-    Texture colors;                ///< GBuffer::colors
-    Texture openFlow, wholeFlow;   ///< flow_cells.comp
-    Texture lic;                   ///< Where there is flow.
-    Texture words;                 ///< along_flow::word, where there is flow.
-    Texture places, metas, waves;  ///< jumps.glsl, a layer a level and direction.
+    Texture visible, depth;           ///< [whole] triangle + 1; near / depth.
+    Framebuffer target;               ///< Draws into both.
+    Texture surface;                  ///< invDepth, gradX, gradY, light where covered.
+    Texture flow, links;              ///< What GBuffer says; links near flow alone.
+    Texture scalar;                   ///< Where the scene has one.
+    Texture colors;                   ///< GBuffer::colors
+    Texture openFlow, wholeFlow;      ///< flow_cells.comp
+    Texture lic;                      ///< Where there is flow.
+    Texture words;                    ///< along_flow::word, where there is flow.
+    Texture places, metas, weighted;  ///< jumps.glsl, a layer a level and direction.
 
 private:
     void clearBeyond() const;

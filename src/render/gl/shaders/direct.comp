@@ -7,7 +7,7 @@
 layout(r32f, binding = 0) writeonly uniform image2D licImage;
 layout(location = 3) uniform int steps;
 layout(location = 4) uniform bool even;
-#if WAVES
+#if WEIGHTED
 layout(std430, binding = 0) readonly buffer KernelWeights { float weights[]; };  // [2][steps + 1]: down, up.
 float weightOf(int direction, int i) { return weights[direction * (steps + 1) + i]; }
 #else

@@ -6,7 +6,7 @@
 #include "jumps.glsl"
 #include "lic_value.glsl"
 layout(r32f, binding = 0) writeonly uniform image2D licImage;
-layout(location = 3) uniform vec3 phase;  // cos, sin; weight of the pixel's own sample.
+layout(location = 3) uniform vec3 kernel;  // Shares of the two weighted sums; weight of the pixel's own sample.
 
 Walk walkAll(int direction)
 {
@@ -39,12 +39,11 @@ void main()
     FlowSample origin = flowAtPixel(texel);
     float own = ownLength(origin);
     precise float sum = down.sum + up.sum;
-#if WAVES
-    // (1 + cos(angle - phase)) / 2 from the plain sum and the two waves.
-    vec2 wave = down.wave + up.wave;
-    sum = 0.5 * (sum + fma(phase.x, wave.x, phase.y * wave.y));
+#if WEIGHTED
+    vec2 weighted = down.weighted + up.weighted;
+    sum = 0.5 * (sum + fma(kernel.x, weighted.x, kernel.y * weighted.y));
 #endif
-    sum = fma(own * phase.z, origin.noise, sum);
+    sum = fma(own * kernel.z, origin.noise, sum);
     precise float lengthPx = own + (down.lengthPx + up.lengthPx);
     float effectivePx = effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width);
     imageStore(licImage, pixel, vec4(licValue(sum, lengthPx, effectivePx)));

@@ -18,9 +18,9 @@ void countSample(inout Trace t, inout Walk walk, vec2 from, FlowSample s, float 
     walk.sum += noise;
     walk.lengthPx += walked;
     walk.width = there * narrowing;
-#if WAVES
-    vec2 r = rotations[step];
-    walk.wave = vec2(fma(noise, r.x, walk.wave.x), fma(noise, direction == 1 ? -r.y : r.y, walk.wave.y));
+#if WEIGHTED
+    vec4 by = turnOf(direction, step);
+    walk.weighted = vec2(fma(noise, by.x, walk.weighted.x), fma(noise, by.z, walk.weighted.y));
 #endif
     t.alive = flowsOn(from, s.v);
 }

@@ -1,16 +1,16 @@
 // Reading, joining and writing jumps (cpu/lic/jumps-inl.h). Two words a pixel, in the layers of two array textures:
 //   place  bits 0 to 15 displacement in x, signed, in displacementUnitPx; 16 to 31 in y
 //   meta   jump_word (render/lic/jump_plan.h)
-//   wave   (Hann) sums weighted by cos and sin of the kernel's angle, as in place, in waveUnit
+//   weighted  the two sums weighted by the kernel's pair (KernelModel), as in place, in weightedUnit
 layout(binding = 4) uniform usampler2DArray places;
 layout(binding = 5) uniform usampler2DArray metas;
-#if WAVES
-layout(binding = 6) uniform usampler2DArray waves;
-layout(std430, binding = 0) readonly buffer Rotations { vec2 rotations[]; };  // cos, sin of the angle of i steps.
+#if WEIGHTED
+layout(binding = 6) uniform usampler2DArray weightedSums;
+layout(std430, binding = 0) readonly buffer Turns { vec4 turns[]; };  // Turn of i steps downstream: aa, ab, ba, bb.
 #endif
 
 layout(std140, binding = 3) uniform JumpBlock {
-    vec4 units[kJumpLevels];     // displacementUnitPx, sumUnit, lengthUnitPx, waveUnit
+    vec4 units[kJumpLevels];     // displacementUnitPx, sumUnit, lengthUnitPx, weightedUnit
     vec4 perUnit[kJumpLevels];   // 1 / those
     ivec4 counts[kJumpLevels];   // Steps of a jump, how many the kernel takes.
     int levels, directSteps, remainderSteps, unused;
@@ -22,7 +22,7 @@ int layerOf(int level, int direction) { return 2 * level + direction; }
 struct Walk {
     float sum, lengthPx;
     float width;  // The stream tube's least so far, beside that at the start.
-    vec2 wave;
+    vec2 weighted;
 };
 Walk noWalk() { return Walk(0.0, 0.0, 1.0, vec2(0.0)); }
 
@@ -47,13 +47,18 @@ uint halves(float low, float high)
     return lowBits | halfOf(rest) << 16;
 }
 
-#if WAVES
-// Wave sums count from the jump's own start: turned by the steps walked before it.
-vec2 turned(vec2 wave, int direction, int stepsBefore)
+#if WEIGHTED
+vec4 turnOf(int direction, int steps)
 {
-    vec2 r = rotations[stepsBefore];
-    if (direction == 1) r.y = -r.y;
-    return vec2(fma(-wave.y, r.y, wave.x * r.x), fma(wave.x, r.y, wave.y * r.x));
+    vec4 by = turns[steps];
+    return direction == 1 ? vec4(by.x, -by.y, -by.z, by.w) : by;
+}
+
+// Weighted sums count from the jump's own start: turned by the steps walked before it.
+vec2 turned(vec2 sums, int direction, int stepsBefore)
+{
+    vec4 by = turnOf(direction, stepsBefore);
+    return vec2(fma(sums.y, by.y, sums.x * by.x), fma(sums.x, by.z, sums.y * by.w));
 }
 #endif
 
@@ -69,9 +74,9 @@ void firstJump(int level, int direction, inout Trace t, inout Walk walk)
     walk.sum = sum;
     walk.lengthPx = lengthPx;
     walk.width = widthField(uvec4(meta)).x;
-#if WAVES
-    uint wave = texelFetch(waves, texel, 0).r;
-    walk.wave = halvesOf(wave) * jumpPlan.units[level].w;
+#if WEIGHTED
+    uint pair = texelFetch(weightedSums, texel, 0).r;
+    walk.weighted = halvesOf(pair) * jumpPlan.units[level].w;
 #endif
     t.alive = (meta & kAliveBit) != 0u;
 }
@@ -109,9 +114,9 @@ void nextJump(int level, int direction, int stepsBefore, inout Trace t, inout Wa
     walk.sum = fma(sum, width, walk.sum);
     walk.lengthPx = fma(lengthPx, width, walk.lengthPx);
     walk.width = width * blend(weight, widthField(meta));
-#if WAVES
-    uvec4 texel = cellOrder(textureGather(waves, corner));
-    walk.wave += turned(vec2(blend(weight, lowHalf(texel)), blend(weight, highHalf(texel))) * (width * jumpPlan.units[level].w), direction, stepsBefore);
+#if WEIGHTED
+    uvec4 texel = cellOrder(textureGather(weightedSums, corner));
+    walk.weighted += turned(vec2(blend(weight, lowHalf(texel)), blend(weight, highHalf(texel))) * (width * jumpPlan.units[level].w), direction, stepsBefore);
 #endif
     t.alive = goesOn;
     if (!goesOn) return;

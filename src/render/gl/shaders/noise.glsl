@@ -22,6 +22,13 @@ float noiseLevel(vec3 texel)
     return lerp(noiseFace(cell, 0, weight), noiseFace(cell, 4, weight), weight.z);
 }
 
+// Noise of grains, 1 or -1 where there is none, as their height above the mean; `m` is 1 to 2 within an octave.
+float grainHeight(float noise, float m, float height)
+{
+    precise float above = fma(noise, 0.5, 0.5 - kGrainShare) * (m * height);
+    return above;
+}
+
 // For a footprint in world units: the two levels it lies between, blended, with the contrast of one restored.
 float sampleNoise(vec3 local, float footprint)
 {
@@ -29,12 +36,18 @@ float sampleNoise(vec3 local, float footprint)
     precise float scaled = footprint * view.levelFromFootprint;
     int bits = floatBitsToInt(scaled);
     int exponent = (bits >> 23) - 127;
-    precise float blend = intBitsToFloat((bits & 0x007FFFFF) | 0x3F800000) - 1.0;
+    float mantissa = intBitsToFloat((bits & 0x007FFFFF) | 0x3F800000);
+    precise float blend = mantissa - 1.0;
+    if (view.grains) blend = clamp((mantissa - kGrainBlendFrom) * (1.0 / (kGrainBlendTo - kGrainBlendFrom)), 0.0, 1.0);
     float shrink = intBitsToFloat((127 - exponent) << 23);
     float level = float(exponent);
     float fine = noiseLevel(along(level * kLevelOffset, texel, shrink));
     float coarse = noiseLevel(along((level + 1.0) * kLevelOffset, texel, shrink * 0.5));
     precise float keep = 1.0 - blend;
+    if (view.grains) {
+        fine = grainHeight(fine, mantissa, kGrainHeight);
+        coarse = grainHeight(coarse, mantissa, 0.5 * kGrainHeight);
+    }
     precise float value = fma(coarse, blend, fine * keep) * inverseLength(fma(keep, keep, blend * blend));
     return value;
 }

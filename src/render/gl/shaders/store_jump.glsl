@@ -1,8 +1,8 @@
 // Packs what a trace has walked as a jump of `level`.
 layout(r32ui, binding = 0) writeonly uniform uimage2DArray placeImage;
 layout(r32ui, binding = 1) writeonly uniform uimage2DArray metaImage;
-#if WAVES
-layout(r32ui, binding = 2) writeonly uniform uimage2DArray waveImage;
+#if WEIGHTED
+layout(r32ui, binding = 2) writeonly uniform uimage2DArray weightedImage;
 #endif
 
 uint wordField(float v, int least, int most) { return uint(clamp(int(roundEven(v)), least, most)); }
@@ -20,8 +20,8 @@ void storeJump(ivec2 pixel, int level, int direction, Trace t, Walk walk, bool o
     word |= wordField(walk.width * float(kWidthOne), 0, kWidthOne) << kWidthShift;
     imageStore(placeImage, texel, uvec4(halves(t.at.x * perUnit.x, t.at.y * perUnit.x)));
     imageStore(metaImage, texel, uvec4(word | (open ? kOpenBit : 0u)));
-#if WAVES
-    imageStore(waveImage, texel, uvec4(halves(walk.wave.x * perUnit.w, walk.wave.y * perUnit.w)));
+#if WEIGHTED
+    imageStore(weightedImage, texel, uvec4(halves(walk.weighted.x * perUnit.w, walk.weighted.y * perUnit.w)));
 #endif
 }
 
@@ -31,7 +31,7 @@ void storeNoJump(ivec2 pixel, int level, int direction)
     ivec3 texel = ivec3(pixel, layerOf(level, direction));
     imageStore(placeImage, texel, uvec4(0u));
     imageStore(metaImage, texel, uvec4(0u));
-#if WAVES
-    imageStore(waveImage, texel, uvec4(0u));
+#if WEIGHTED
+    imageStore(weightedImage, texel, uvec4(0u));
 #endif
 }
