@@ -59,10 +59,14 @@ protected:
         return {p[0], p[1], p[2]};
     }
 
-    std::string failure() const
+    /// What is wrong with the file, or with these arrays of it; empty where nothing is.
+    std::string failure(const std::vector<std::string>& names = {}) const
     {
         try {
-            FileReader(path_, FileUse::field).announcedArrays();
+            if (names.empty())
+                FileReader(path_, FileUse::field).announcedArrays();
+            else
+                read(names);
         } catch (const InputError& error) {
             return error.what();
         }

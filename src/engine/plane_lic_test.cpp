@@ -12,32 +12,13 @@
 
 #include "aeolic/error.h"
 #include "aeolic/plane.h"
+#include "engine/plane_testing.h"
 #include "reference/reference.h"
 
 namespace aeolic {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
-struct Plane {
-    Plane(int w, int h, float ofU, float ofV) : width(w), height(h), u(pixels(), ofU), v(pixels(), ofV) {}
-    std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
-    PlaneFlow flow() const
-    {
-        return {width, height, u.data(), v.data(), texture.empty() ? nullptr : texture.data(), periodic, axial};
-    }
-    int width, height;
-    std::vector<float> u, v, texture;
-    bool periodic = false, axial = false;
-};
-
-LicOptions options(LicMethod method, int steps)
-{
-    LicOptions lic;
-    lic.method = method;
-    lic.steps = steps;
-    return lic;
-}
+using namespace testkit;
 
 /// The mean of value(x, y) * value(x + dx, y + dy), where both are in the plane.
 double alike(const Plane& plane, const std::vector<float>& values, int dx, int dy)
@@ -174,26 +155,6 @@ TEST(PlaneLic, StopsWhileItIsAtWork)
     EXPECT_EQ(values.back(), before);
 }
 
-/// Eddies and saddles with an island among them; the texture's values are those that a noise byte holds.
-Plane eddies(int width, int height, double size = 1)
-{
-    Plane plane(width, height, 0, 0);
-    plane.texture.resize(plane.pixels());
-    std::mt19937 random(1);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const auto i = std::size_t(y * width + x);
-            const double at = x / size, down = y / size;
-            plane.u[i] = float(std::sin(0.11 * down) + 0.4 * std::cos(0.07 * at + 0.03 * down));
-            plane.v[i] = float(std::cos(0.09 * at) - 0.3 * std::sin(0.05 * down));
-            if (std::hypot(x - 40, y - 30) < 9) plane.u[i] = nan;
-            plane.texture[i] = float(int(random() % 255) - 127) / 127;
-        }
-    plane.texture[0] = -1;
-    plane.texture[1] = 1;
-    return plane;
-}
-
 /// The reference's picture of a plane, of numbers as they are given.
 reference::PixelImage imageOf(const Plane& plane, double stepPx)
 {
@@ -238,74 +199,6 @@ TEST(PlaneLic, HasTheReferencesValues)
             EXPECT_LT(off[off.size() / 2], 0.00015) << each.size << ", " << steps;
         }
     }
-}
-
-/// How many values of a hundred are within a thousandth of each other.
-double percentAlike(const std::vector<float>& a, const std::vector<float>& b)
-{
-    std::size_t same = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        same += (std::isnan(a[i]) && std::isnan(b[i])) || std::abs(a[i] - b[i]) <= 1e-3F;
-    return 100.0 * double(same) / double(a.size());
-}
-
-/// The same flow with signs by chance, as angles of polarization come.
-TEST(PlaneLic, PolarizationHasNoSigns)
-{
-    for (const Streaks streaks : {Streaks::even, Streaks::plain})
-        for (const Integrator integrator : {Integrator::euler, Integrator::rk2, Integrator::rk4})
-            for (const bool periodic : {false, true}) {
-                LicOptions lic = options(LicMethod::direct, 24);
-                lic.streaks = streaks;
-                lic.integrator = integrator;
-                Plane velocity = eddies(300, 220, 4), polarized = velocity;
-                velocity.periodic = polarized.periodic = periodic;
-                polarized.axial = true;
-                std::mt19937 random(7);
-                for (std::size_t i = 0; i < polarized.pixels(); ++i)
-                    if (random() % 2 == 0) {
-                        polarized.u[i] = -polarized.u[i];
-                        polarized.v[i] = -polarized.v[i];
-                    }
-                const auto expected = licOfPlane(velocity.flow(), lic);
-                EXPECT_GT(percentAlike(licOfPlane(polarized.flow(), lic), expected), 97);
-                polarized.axial = false;
-                EXPECT_LT(percentAlike(licOfPlane(polarized.flow(), lic), expected), 30) << "signs mean something";
-            }
-}
-
-/// Around a point where the angle turns by half a circle no choice of signs is smooth. Where it jumps must not show.
-TEST(PlaneLic, PolarizationTurnsByHalfACircle)
-{
-    Plane left(200, 200, 0, 0), right = left;
-    left.axial = right.axial = true;
-    for (int y = 0; y < 200; ++y)
-        for (int x = 0; x < 200; ++x) {
-            const auto i = std::size_t(y * 200 + x);
-            const double angle = 0.5 * std::atan2(y - 99.5, x - 99.5);  // Jumps on the left.
-            left.u[i] = float(std::cos(angle));
-            left.v[i] = float(std::sin(angle));
-            const float sign = y < 99.5 ? -1.F : 1.F;
-            right.u[i] = sign * left.u[i];  // Jumps on the right.
-            right.v[i] = sign * left.v[i];
-        }
-    const LicOptions lic = options(LicMethod::direct, 30);
-    const auto a = licOfPlane(left.flow(), lic), b = licOfPlane(right.flow(), lic);
-    EXPECT_GT(percentAlike(a, b), 99);
-    left.axial = right.axial = false;
-    EXPECT_LT(percentAlike(licOfPlane(left.flow(), lic), licOfPlane(right.flow(), lic)), 95) << "the jumps show";
-}
-
-TEST(PlaneLic, PolarizationTakesTheDirectMethodAlone)
-{
-    Plane plane(9, 9, 1, 0);
-    plane.axial = true;
-    EXPECT_THROW(licOfPlane(plane.flow(), options(LicMethod::hierarchical, 8)), InputError);
-    LicOptions moving = options(LicMethod::direct, 8);
-    moving.kernel = Kernel::hann;
-    EXPECT_NO_THROW(licOfPlane(plane.flow(), moving));
-    moving.phase = 1;
-    EXPECT_THROW(licOfPlane(plane.flow(), moving), InputError);
 }
 
 /// Large planes go through in parts. A part's rows are those of the same rows in a plane that begins and ends

@@ -39,16 +39,15 @@ void whiteNoise(std::uint32_t pixel, std::uint32_t seed, float* noise)
     }
 }
 
-// Grains of oriented streaks: a cut through their pyramid, where a texel is two pixels wide.
 void grainsOf(const PlanePixels& pixels, int x0, float* noise)
 {
     const hn::ScalableTag<float> d;
-    const NoiseLookup lookup = makeNoiseLookup(1024, 1, Style::oriented);
     for (int i = 0; i < kTogether; i += int(hn::Lanes(d))) {
         const auto x = hn::Iota(d, float(x0 + i));
-        hn::StoreU(cpu::HWY_NAMESPACE::sampleNoise(d, *pixels.grains, lookup,
-                                                   {x, hn::Set(d, float(pixels.y)), hn::Zero(d)}, hn::Set(d, 1.0F)),
-                   d, noise + i);
+        const cpu::HWY_NAMESPACE::Vec3v<hn::Vec<decltype(d)>> place{x, hn::Set(d, float(pixels.y)), hn::Zero(d)};
+        const auto sample =
+            cpu::HWY_NAMESPACE::sampleNoise(d, pixels.grains->pyramid, pixels.grains->lookup, place, hn::Set(d, 1.0F));
+        hn::StoreU(sample, d, noise + i);
     }
 }
 

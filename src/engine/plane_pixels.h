@@ -7,18 +7,29 @@
 
 namespace aeolic {
 
+/// Grains of oriented streaks in a plane: a cut through their pyramid, where a texel is two pixels wide.
+struct PlaneGrains {
+    explicit PlaneGrains(std::uint32_t seed)
+        : pyramid(seed, Style::oriented), lookup(makeNoiseLookup(1024, 1, Style::oriented))
+    {
+    }
+
+    NoisePyramid pyramid;
+    NoiseLookup lookup;
+};
+
 /// Numbers of a row of a plane, and how they become what the LIC stage reads.
 struct PlanePixels {
     const float *u, *v;
-    const float* texture;        ///< Null: grains, or white noise where there are none of those, either.
-    const NoisePyramid* grains;  ///< Of oriented streaks.
-    int y;                       ///< The row,
-    std::uint32_t first;         ///< its first pixel's number in the plane, and
-    std::uint32_t seed;          ///< what the noise depends on beside them.
-    float middle, perUnit;       ///< Of the texture: the value that becomes 0, and a factor.
-    double unitsPerStep;         ///< A step is so many units of the G-buffer's flow.
-    double reference;            ///< A vector of this length goes a step; 0: each does.
-    double least;                ///< Vectors of at most this length go nowhere.
+    const float* texture;       ///< Null: grains, or white noise where there are none of those, either.
+    const PlaneGrains* grains;  ///< Of oriented streaks.
+    int y;                      ///< The row,
+    std::uint32_t first;        ///< its first pixel's number in the plane, and
+    std::uint32_t seed;         ///< what the noise depends on beside them.
+    float middle, perUnit;      ///< Of the texture: the value that becomes 0, and a factor.
+    double unitsPerStep;        ///< A step is so many units of the G-buffer's flow.
+    double reference;           ///< A vector of this length goes a step; 0: each does.
+    double least;               ///< Vectors of at most this length go nowhere.
 };
 
 /// How large the finite numbers of a row are.

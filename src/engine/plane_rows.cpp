@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "engine/plane_pixels.h"
 #include "render/limits.h"
 
 namespace aeolic {
@@ -27,7 +26,7 @@ PlaneRows::PlaneRows(const PlaneFlow& flow, const LicOptions& lic, int reach) : 
 {
     flowUnitPx_ = std::exp2(std::ceil(std::log2(std::max(lic.step, 1e-3)))) / (flow_texel::kDisplacementMax + 1);
     unitsPerStep_ = lic.step / flowUnitPx_;
-    if (lic.style == Style::oriented && !flow.texture) grains_.emplace(lic.seed, lic.style);
+    if (lic.style == Style::oriented && !flow.texture) grains_.emplace(lic.seed);
     findScales();
 }
 

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "aeolic/plane.h"
+#include "engine/plane_pixels.h"
 #include "render/cpu/lic/fine_cells.h"
 #include "render/gbuffer.h"
-#include "render/lic/noise.h"
 
 namespace aeolic {
 
@@ -31,7 +31,7 @@ private:
     const PlaneFlow& flow_;
     const LicOptions& lic_;
     const int reach_;
-    std::optional<NoisePyramid> grains_;        ///< Of oriented streaks.
+    std::optional<PlaneGrains> grains_;         ///< Of oriented streaks.
     double longest_ = 0;                        ///< Vector; of all that are finite.
     float middle_ = 0, perUnit_ = 0;            ///< Of the texture: the value that becomes 0, and a factor.
     double flowUnitPx_ = 1, unitsPerStep_ = 0;  ///< A step is so many of the units that flow is kept in.

@@ -12,6 +12,7 @@
 #include "description/scene_json.h"
 #include "description/surface_spec.h"
 #include "description/validate.h"
+#include "render/lic/lic_kernel.h"
 
 namespace aeolic::stream {
 namespace {
@@ -174,7 +175,7 @@ ViewRequest fromHome(ViewRequest view, const Json& ofScene)
 std::uint64_t samplesOf(const SceneDescription& scene)
 {
     const std::uint64_t pixels = std::uint64_t(scene.output.width) * std::uint64_t(scene.output.height);
-    const auto steps = std::uint64_t(scene.lic.steps);
+    const auto steps = std::uint64_t(kernelSteps(scene.lic));
     switch (scene.lic.method) {
         case LicMethod::none:
             return pixels;

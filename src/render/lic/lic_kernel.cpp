@@ -9,7 +9,7 @@
 namespace aeolic {
 namespace {
 
-// Of the grains' noise at a point; by the same measurement as the contrast's other numbers.
+// The variance that the noise of grains has at a point, as measured on uniform flow.
 constexpr double kGrainVariance = 0.0023;
 
 // Heads of streaks lie three deviations above the mean: a little less contrast leaves them room below white.

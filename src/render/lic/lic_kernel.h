@@ -35,7 +35,7 @@ struct KernelModel {
     double phaseRad = 0;
     double meanWeight = 1;
     double concentration = 1;  ///< How much its shape concentrates its weight: f of the contrast (ContrastModel).
-    /// How much of each weighted sum is in the result, which is half the plain sum and half of that.
+    /// The result is half of the plain sum, and half of the weighted ones, each of which counts by these.
     float ofFirst = 0, ofSecond = 0;
 
     /// Whether jumps keep the two weighted sums.

@@ -27,7 +27,7 @@ struct JumpLookup {
 struct JumpGain {
     VF sum, length, width;
     MF reached;         ///< Not ended on the way to the jump: gains what it walks, though it may end on it.
-    Block4<VF> weight;  ///< Of the taps at `at`, for their weighted.
+    Block4<VF> weight;  ///< Of the taps at `at`, for their weighted sums.
     VI at;
 };
 
