@@ -37,7 +37,12 @@ endfunction()
 
 # The page (src/stream/gateway/web_assets.cpp).
 file(GLOB_RECURSE AEOLIC_WEB_FILES CONFIGURE_DEPENDS web/*.html web/*.css web/*.js web/*.svg)
+list(FILTER AEOLIC_WEB_FILES EXCLUDE REGEX "/web/loop/")
 embed_files(aeolicWebFiles ${CMAKE_CURRENT_SOURCE_DIR}/web ${AEOLIC_WEB_FILES})
+
+# What a file with a loop is made of (src/output/loop_page.cpp).
+embed_files(aeolicLoopFiles ${CMAKE_CURRENT_SOURCE_DIR}/web
+    ${CMAKE_CURRENT_SOURCE_DIR}/web/loop/loop.html ${CMAKE_CURRENT_SOURCE_DIR}/web/picture/cycle.js)
 
 # The GPU backend's shaders (src/render/gl/device/programs.cpp).
 if(AEOLIC_GL)

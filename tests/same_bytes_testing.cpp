@@ -67,6 +67,10 @@ std::vector<Picture> drawFrames(const std::string& backendName, const Case& c, c
                                                 description.output.width, description.output.height, scene.reach),
                                      description.lic, description.shading};
                 request.overlay = c.overlay;
+                if (description.lic.flow == FlowMotion::loop) {
+                    request.inCycle = true;
+                    request.lic.phase = frame;
+                }
                 renderFrame(request, scene, *backend, group, drawn);
                 if (communicator.isRoot()) pictures.push_back(gatheredPicture(drawn.tiles, description.output.height));
             }

@@ -3,6 +3,7 @@
 import {makeAxes} from './view/axes.js';
 import {axisView} from './view/camera.js';
 import {byId, h} from './page/dom.js';
+import {Flowing} from './view/flowing.js';
 import {Frames} from './picture/frames.js';
 import {glide} from './view/glide.js';
 import {setIcon} from './page/icons.js';
@@ -11,7 +12,6 @@ import {differenceTo, fragmentOf, missingIn, parseFragment} from './view/link.js
 import {Model} from './view/model.js';
 import {Overlay} from './page/overlay.js';
 import {makePanel} from './panel/panel.js';
-import {Phase} from './view/phase.js';
 import {watchPointers} from './view/pointers.js';
 import {savePicture, saveScene} from './picture/save.js';
 import {Session} from './net/session.js';
@@ -30,8 +30,8 @@ const model = new Model(), frames = new Frames(byId('picture')), stage = new Sta
 // The server sends a browser on to the address without the token. Where it cannot, the page takes it away.
 if (location.search) history.replaceState(null, '', location.pathname + location.hash);
 const session = new Session({model, frames, stage});
-const page = {model, frames, stage, session, changes: session.changes};
-page.phase = new Phase(page);
+const page = {model, frames, stage, session, changes: session.changes, tell: (message) => toast(message, 'warning')};
+page.flowing = new Flowing(page, byId('flowing'));
 page.times = new Times(page);
 
 let picture = null;        // The frame on screen.
@@ -56,7 +56,6 @@ async function copyLink() {
 function wantPicture() {
   if (picture?.pixels) return savePicture(picture);
   isPictureWanted = true;
-  page.phase.run(false);
   page.times.play(false);
   session.pacer.settle();
   toast('The picture is saved when its last pixels are here.');
@@ -70,7 +69,7 @@ function toggleFullscreen() {
 const actions = page.actions = {
   home: () => model.scene && fly(model.homeCamera(), () => model.home()),
   axis: (name) => model.camera && fly(model.keptOutside(axisView(name, model.camera, model.vertical)), (camera) => model.setCamera(camera, false)),
-  play: () => page.times.isThere ? page.times.play(!page.times.isPlaying) : page.phase.run(!page.phase.isRunning),
+  play: () => page.times.isThere ? page.times.play(!page.times.isPlaying) : page.flowing.run(!page.flowing.isRunning),
   stats: () => overlay.toggle(),
   panel: () => panel.toggle(),
   fullscreen: toggleFullscreen,

@@ -71,6 +71,10 @@ enum class Streaks { plain, even };
 /// sixth of `steps`, and neither `kernel` nor `phase`.
 enum class Style { dense, oriented };
 
+/// Whether streaks run along the flow. loop: the frames of an animation are phases of one cycle, which closes: after
+/// the last one comes the first. Such streaks are dense, and have the Hann kernel whatever `kernel` says.
+enum class FlowMotion { off, loop };
+
 /// The line integral convolution (paper, section 3, "LIC stage").
 struct LicOptions {
     LicMethod method = LicMethod::hierarchical;
@@ -81,6 +85,7 @@ struct LicOptions {
     Kernel kernel = Kernel::box;
     Streaks streaks = Streaks::even;  ///< plain: the paper's.
     double phase = 0;                 ///< Radians. Moves the Hann kernel along the streamline; 2 pi is a full cycle.
+    FlowMotion flow = FlowMotion::off;
     bool normalize = true;    ///< false: steps in proportion to the vector's magnitude, the largest taking `step`.
     double noiseScale = 1.0;  ///< Noise texels per pixel at the focal point, [0.01, 16].
     std::uint32_t seed = 1;
@@ -158,7 +163,8 @@ struct OutputOptions {
     int width = 800, height = 800;  ///< Pixels, [1, 32768].
     int frames = 1;                 ///< [1, 100000]; more than one: the file name gets -%04d.
     double fps = 25;                ///< Frames per second of an animation in one file, [0.1, 240].
-    std::optional<double> orbit;  ///< The turn over the whole animation, degrees. Default: 360, with a range in time 0.
+    /// The turn over the whole animation, degrees. Default: 360; with a range in time, and where streaks flow, 0.
+    std::optional<double> orbit;
 };
 
 /// Which backend draws. `automatic` ("auto" in texts): the GPU where there is a real one, else the processor.

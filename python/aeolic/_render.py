@@ -8,7 +8,7 @@ import webbrowser
 from collections.abc import Iterable
 
 from . import _core
-from ._checks import number, refuse_unknown, suggesting, whole
+from ._checks import number, path as path_of, refuse_unknown, suggesting, whole
 from ._data import Grid, InputError, Surface, Volume
 from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, documented, scene_given, texts
 from ._pick import PickedPlace
@@ -110,6 +110,14 @@ class Renderer:
         set to."""
         for index in range(json.loads(self._loaded.scene())["output"]["frames"]):
             yield self._loaded.render_frame(index)
+
+    def save_animation(self, path, progress=None):
+        """Writes the pictures of frames() to one file: .webp, .apng or .mp4, or to numbered .png and .jpg. With flow="loop"
+        also .html, a page that plays in any browser; such a cycle has 48 pictures where frames= does not say how many. All
+        is checked before the first picture is drawn. progress as for Renderer."""
+        if progress is not None and not callable(progress):
+            raise TypeError(f"progress: found {type(progress).__name__}; expected a function")
+        self._loaded.save_animation(path_of("path", path), progress)
 
     @documented(CHANGEABLE)
     def set(self, **options):

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <numbers>
 #include <stdexcept>
 
 #include "aeolic/error.h"
@@ -18,6 +19,7 @@
 #include "gil.h"
 #include "memory.h"
 #include "output/nothing_shown.h"
+#include "output/picture_files.h"
 #include "output/stats_json.h"
 
 namespace aeolic::python {
@@ -132,6 +134,37 @@ Picture Loaded::render(const std::optional<std::string>& camera)
 Picture Loaded::renderFrame(int index)
 {
     return alone([&] { return renderer_->render({AnimationFrame{index}}); });
+}
+
+void Loaded::saveAnimation(const std::string& path, const py::object& progress)
+{
+    const std::string call = "save_animation";
+    reporting(progress, [&](const ProgressFunction& report) {
+        PictureFiles files(path, scene_, call);
+        const int frames = drawnFor(path, scene_, call).output.frames;
+        const bool asDescribed = frames == scene_.output.frames;
+        Picture picture;
+        for (int i = 0; i < frames; ++i) {
+            report("frames", double(i) / frames);
+            if (asDescribed) {
+                picture = renderer_->render({AnimationFrame{i}}, std::move(picture));
+            } else {  // A cycle of another length: the camera stands.
+                LicOptions lic = scene_.lic;
+                lic.phase += 2 * std::numbers::pi * i / frames;
+                renderer_->setLic(lic);
+                const auto back = [&] { renderer_->setLic(scene_.lic); };
+                try {
+                    picture = renderer_->render({scene_.camera}, std::move(picture));
+                } catch (...) {
+                    back();
+                    throw;
+                }
+                back();
+            }
+            files.write(picture);
+        }
+        files.complete();
+    });
 }
 
 void Loaded::set(const Texts& given, const std::vector<std::string>& withdrawn)

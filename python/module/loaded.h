@@ -31,6 +31,7 @@ public:
     void requireFree() const;                                  ///< Raises where no other method can be called.
     Picture render(const std::optional<std::string>& camera);  ///< "azimuth=50": over the scene's own camera.
     Picture renderFrame(int index);
+    void saveAnimation(const std::string& path, const pybind11::object& progress);
     void set(const Texts& given, const std::vector<std::string>& withdrawn);  ///< As changed() says.
     void setTime(double moment);
     void setShown(const std::vector<bool>& shown);

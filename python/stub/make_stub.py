@@ -132,6 +132,7 @@ def stub():
             options(_options.KEYWORDS, deep) + "    ) -> None: ...\n" +
             "    def render(self, camera: Mapping[str, Any] | str | None = ...) -> Picture: ...\n" +
             "    def frames(self) -> Iterator[Picture]: ...\n" +
+            "    def save_animation(self, path: str | os.PathLike[str], progress: Callable[[str, float], Any] | None = ...) -> None: ...\n" +
             "    def show(self, *, browser: bool | None = ..., controls: Mapping[str, Any] | None = ..., title: str = ...,\n"
             "             port: int = ..., height: int = ..., proxy: str | None = ...) -> Viewer: ...\n" +
             "    def set(\n        self, *,\n" + options(_options.CHANGEABLE, deep) + "    ) -> None: ...\n" +

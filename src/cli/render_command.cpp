@@ -33,7 +33,8 @@ struct RenderCommand {
             .add_option(
                 "-o,--output", outputPath,
                 wrapped("the file to write: .png, .jpg or .webp; with --frames numbered .png or .jpg, or one .webp, "
-                        ".apng or .mp4 (through an ffmpeg that is installed)"))
+                        ".apng or .mp4 (through an ffmpeg that is installed); with --flow loop also .html, a page that "
+                        "plays in any browser"))
             ->type_name("OUT.png")
             ->take_last();
         command.add_option("--stats", statsPath, "writes times and memory as JSON; - is standard output")
@@ -111,8 +112,9 @@ void RenderCommand::run()
     }
     RunStats stats;
     runTogether(*ranks, [&] {
-        stats.scene = sceneOptions.scene();
-        if (root) openFiles(stats.scene);
+        const SceneDescription asked = sceneOptions.scene();
+        if (root) openFiles(asked);
+        stats.scene = drawnFor(outputPath, asked);
     });
     const int frames = stats.scene.output.frames;
 

@@ -82,6 +82,7 @@ std::vector<std::size_t> chooseParts(const std::vector<PartName>& parts, const s
         k = end;
         if (any) continue;
         std::vector<std::string_view> names;
+        names.reserve(parts.size());
         for (const PartName& part : parts) names.push_back(part.name);
         std::vector<std::string_view> shown(names.begin(),
                                             names.begin() + std::ptrdiff_t(std::min(names.size(), kMostListed)));

@@ -158,7 +158,8 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
 
 double orbitDegOf(const SceneDescription& scene)
 {
-    return scene.output.orbit.value_or(scene.time.range ? 0.0 : 360.0);
+    const bool isMoving = scene.time.range || scene.lic.flow == FlowMotion::loop;
+    return scene.output.orbit.value_or(isMoving ? 0.0 : 360.0);
 }
 
 namespace {

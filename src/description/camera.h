@@ -21,6 +21,8 @@ struct Camera {
 
     /// World size of a pixel of an unforeshortened surface at the body's depth: the unit of `--step`.
     double pixelSizeAtBody() const { return bodyDepth / focalPx; }
+
+    friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// Where a moving surface is at one moment: its bounds then, and its radius about the centre of the bounds it is fitted

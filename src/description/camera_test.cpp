@@ -230,6 +230,9 @@ TEST(Camera, AnAnimationInTimeDoesNotTurnUnlessAskedTo)
 {
     SceneDescription scene;
     EXPECT_EQ(orbitDegOf(scene), 360);
+    scene.lic.flow = FlowMotion::loop;
+    EXPECT_EQ(orbitDegOf(scene), 0);
+    scene.lic.flow = FlowMotion::off;
     scene.time.range = {0, 1};
     EXPECT_EQ(orbitDegOf(scene), 0);
     scene.output.orbit = 90;

@@ -31,6 +31,8 @@ inline constexpr auto choiceNames<Style> = std::to_array<std::string_view>({"den
 template <>
 inline constexpr auto choiceNames<Kernel> = std::to_array<std::string_view>({"box", "hann"});
 template <>
+inline constexpr auto choiceNames<FlowMotion> = std::to_array<std::string_view>({"off", "loop"});
+template <>
 inline constexpr auto choiceNames<RangeOf> = std::to_array<std::string_view>({"data", "robust"});
 template <>
 inline constexpr auto choiceNames<MomentOf> = std::to_array<std::string_view>({"first", "last"});

@@ -47,7 +47,9 @@ std::vector<std::string> idleOptions(const SceneDescription& scene, const std::m
         finder.addSwitch("--time-stamp", scene.shading.timeStamp, "on data that do not change in time");
     }
     if (scene.lic.method == LicMethod::hierarchical) finder.add({"--integrator"}, "without --lic direct");
-    if (scene.lic.style == Style::oriented)
+    if (scene.lic.flow == FlowMotion::loop)
+        finder.add({"--kernel"}, "with --flow loop");
+    else if (scene.lic.style == Style::oriented)
         finder.add({"--kernel", "--phase"}, "with --style oriented");
     else if (scene.lic.kernel != Kernel::hann)
         finder.add({"--phase"}, "without --kernel hann");

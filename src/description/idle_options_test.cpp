@@ -84,6 +84,8 @@ TEST(IdleOptions, WhatBelongsToAnotherMethodOrKernel)
     EXPECT_EQ(idle({{"--phase", "1"}, {"--kernel", "hann"}}), Lines{});
     EXPECT_EQ(idle({{"--phase", "1"}, {"--kernel", "hann"}, {"--style", "oriented"}}),
               (Lines{"--kernel has no effect with --style oriented", "--phase has no effect with --style oriented"}));
+    EXPECT_EQ(idle({{"--phase", "1"}, {"--kernel", "box"}, {"--flow", "loop"}}),
+              Lines{"--kernel has no effect with --flow loop"});
     EXPECT_EQ(idle({{"--occlusion", "on"}, {"--lighting", "off"}}),
               Lines{"--occlusion has no effect with --lighting off"});
     EXPECT_EQ(idle({{"--occlusion", "off"}, {"--lighting", "off"}}), Lines{});

@@ -199,6 +199,13 @@ void forEachOption(Scene&& scene, Visit&& visit)
         scene.lic.streaks, choice<Streaks>);
     visit(Option{lic, "phase", "--phase", "RADIANS", "moves the hann kernel along the flow; 6.2832 is a full cycle"},
           scene.lic.phase, angle.usually(0, 2 * std::numbers::pi));
+    visit(
+        Option{
+            lic, "flow", "--flow", "",
+            "loop: streaks run along the flow, and after the last picture of the animation, which has 48 unless told "
+            "otherwise, comes the first; dense ones, with the hann kernel; with --normalize off they run as fast as "
+            "the vectors are long"},
+        scene.lic.flow, choice<FlowMotion>);
     visit(Option{lic, "normalize", "--normalize", "",
                  "off: steps in proportion to the vectors, the largest taking --step"},
           scene.lic.normalize, SwitchRule{});
@@ -301,9 +308,9 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.output.frames, NumberRule{1, 100000});
     visit(Option{output, "fps", "--fps", "N", "pictures a second of an animation in one file"}, scene.output.fps,
           NumberRule{0.1, 240});
-    visit(
-        Option{output, "orbit", "--orbit", "DEGREES", "the turn over the whole animation", "360; with --time-range 0"},
-        scene.output.orbit, angle);
+    visit(Option{output, "orbit", "--orbit", "DEGREES", "the turn over the whole animation",
+                 "360; with --time-range or --flow loop 0"},
+          scene.output.orbit, angle);
 
     visit(Option{machine, "backend", "--backend", "", "auto takes gl only on a real GPU"}, scene.run.backend,
           choice<BackendChoice>);

@@ -3,14 +3,40 @@
 #include "engine/frame_stats.h"
 
 namespace aeolic {
+
 Palette paletteOf(const FrameRequest& request, const Scene& scene)
 {
-    const auto& [camera, lic, shading, colorMap, colorMaps, overlay] = request;
-    if (!scene.surfaces.empty()) return makePalette(shading, scene.colors, colorMaps);
+    const ShadingOptions& shading = request.shading;
+    if (!scene.surfaces.empty()) return makePalette(shading, scene.colors, request.colorMaps);
     const std::array<double, 2>& range = scene.rangeFor(shading);
-    return colorMap ? makePalette(shading, scene.hasScalar, range, *colorMap)
-                    : makePalette(shading, scene.hasScalar, range);
+    return request.colorMap ? makePalette(shading, scene.hasScalar, range, *request.colorMap)
+                            : makePalette(shading, scene.hasScalar, range);
 }
+
+namespace {
+
+/// The LIC stage: noise along streams, from the rows that traces read and others own.
+void convolveFrame(const LicOptions& lic, Backend& backend, FrameGroup& group, FramePlan& plan)
+{
+    const Extent& stripe = plan.rows.stripe;
+    backend.convolve(lic, stripe, group.guards(backend, plan).get());
+    backend.smooth(lic, stripe, group.beside(plan).get(), plan.edgeRows);
+    backend.flatten(lic, stripe, group.beside(plan).get(), plan.edgeRows);
+}
+
+/// The same for a frame of a cycle: the phases that are kept, or what is left of them from the frame before.
+void convolveInCycle(const LicOptions& lic, Backend& backend, FrameGroup& group, FramePlan& plan)
+{
+    for (int i = 0; !plan.again && i < phase_mix::kPhases; ++i) {
+        LicOptions ofPhase = lic;
+        ofPhase.phase = phase_mix::phaseOf(i);
+        convolveFrame(ofPhase, backend, group, plan);
+        backend.keepPhase(i);
+    }
+    backend.mixPhases(phase_mix::weights(lic.phase));
+}
+
+}  // namespace
 
 void startFrame(const FrameRequest& request, const Scene& scene, Backend& backend, FrameGroup& group, Frame& frame)
 {
@@ -20,28 +46,34 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     const View view = makeView(request.camera, scene, request.lic);
     const LicOptions lic = inShortSteps(request.lic, view);
     const Palette palette = paletteOf(request, scene);
+    const bool again = request.inCycle && group.cycle().holds(request.camera, lic, palette);
+    if (again) frame.plan = group.cycle().plan();
+    frame.plan.again = again;
     const FrameRows& rows = frame.plan.rows;
     frame.plan.edgeRows = palette.antialias ? limits::kEdgeRows : 0;
     Share share;
 
     clock.time(stages::balance, [&] {  // Which rank draws which rows.
-        group.partition(view, lic, scene, backend, frame.plan);
+        if (!again) group.partition(view, lic, scene, backend, frame.plan);
         frame.tiles.stripe.resize(rows.stripe);
     });
     clock.time(stages::project, [&] {  // Surface and field to pixels.
+        if (again) return backend.projectAgain(rows.drawn);
+        group.cycle().forget();
         share = backend.project(view, rows.drawn, rows.valid);
     });
     clock.time(stages::composite, [&] {  // What other ranks' parts of the scene show in these rows.
+        if (again) return;
         group.composite(frame.plan, share);
         backend.complete(view, rows.drawn);
     });
-    clock.time(stages::convolve, [&] {  // Noise along streams; the rows that traces read and others own.
-        backend.convolve(lic, rows.stripe, group.guards(backend, frame.plan).get());
-        backend.smooth(lic, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
-        backend.flatten(lic, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
+    clock.time(stages::convolve, [&] {  // Noise along streams.
+        if (!request.inCycle) return convolveFrame(lic, backend, group, frame.plan);
+        convolveInCycle(lic, backend, group, frame.plan);
+        if (!again) group.cycle().hold(request.camera, lic, palette, frame.plan);
     });
     clock.time(stages::shade, [&] {  // LIC, light and colour to pixels.
-        backend.occlude(palette, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
+        if (!again) backend.occlude(palette, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
         backend.shade(palette, rows.stripe, frame.tiles.stripe, group.edges(frame.plan, scene).get());
         frame.over.overlay = request.overlay;
         frame.over.view = view;

@@ -143,7 +143,7 @@ void FrameGroup::finish(const FramePlan& plan, RankStats& mine, FrameStats& stat
     stats.busyMs = mine.busyMs;
     stats.coveredPixels = 0;
     for (const RankStats& rank : stats.ranks) stats.coveredPixels += rank.pixels;
-    remember(plan, stats.ranks);
+    if (!plan.again) remember(plan, stats.ranks);
 }
 
 void FrameGroup::remember(const FramePlan& plan, const std::vector<RankStats>& ranks)

@@ -5,36 +5,15 @@
 
 #include "aeolic/renderer.h"
 #include "cluster/balance/balancer.h"
-#include "cluster/balance/frame_costs.h"
 #include "cluster/balance/speed_history.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/composite/painted_pixels.h"
 #include "cluster/guards/stripe_guards.h"
+#include "engine/frame_plan.h"
+#include "engine/held_cycle.h"
 #include "render/backend.h"
-#include "render/lic/jump_plan.h"
 
 namespace aeolic {
-
-/// The rows one rank has to do with in a frame.
-struct FrameRows {
-    Extent stripe;  ///< Convolved and shaded here.
-    Extent drawn;   ///< Projected here: the stripe, and its guard where that is drawn again.
-    Extent valid;   ///< What traces read at most.
-    Extent read;    ///< What traces read as far as is known; `valid` until guards() knows better.
-};
-
-/// Which rank draws which rows of a frame, and all else that is needed until it is finished.
-struct FramePlan {
-    FrameRows rows;  ///< This rank's.
-    Stripes stripes;
-    int width = 0, guardRows = 0;
-    int edgeRows = 0;  ///< Rows next to the stripe that shading reads.
-    GuardSource source = GuardSource::project;
-    double maxStepPx = 0, flowUnitPx = 1;
-    TraceReach reach;      ///< The LIC method's.
-    StripeCosts costs;     ///< What the balancer reckoned with.
-    RowCoverage coverage;  ///< Empty where the balancer needed none.
-};
 
 /// The picture's pixels, and memory kept from frame to frame: in an animation no frame allocates.
 struct FrameTiles {
@@ -63,6 +42,9 @@ public:
     int rank() const { return communicator_->rank(); }
     int ranks() const { return communicator_->size(); }
 
+    /// What the backend that draws for this group holds. Local.
+    HeldCycle& cycle() { return cycle_; }
+
     /// Splits the image's rows by the balancer chosen (paper, section 5.3), and plans this rank's.
     void partition(const View& view, const LicOptions& lic, const Scene& scene, Backend& backend, FramePlan& plan);
 
@@ -83,7 +65,8 @@ public:
     /// Where the picture is gathered: rank 0 gets what everyone has finished.
     void gather(const FramePlan& plan, FrameTiles& tiles);
 
-    /// Tells everyone how busy all were, and remembers it. The way to the others counts as `mine.balance`.
+    /// Tells everyone how busy all were, and remembers it unless the plan was used again. The way to the others counts
+    /// as `mine.balance`.
     void finish(const FramePlan& plan, RankStats& mine, FrameStats& stats);
 
 protected:
@@ -103,6 +86,7 @@ private:
     std::unique_ptr<Balancer> balancer_;
     bool estimateGuards_;
     std::optional<GuardSource> forcedSource_;
+    HeldCycle cycle_;
     Bytes guardRoom_;          // Kept for StripeGuards.
     bool composited_ = false;  // Whether the scene is split.
 };

@@ -4,6 +4,7 @@
 #include <tbb/info.h>
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -150,7 +151,7 @@ void Renderer::State::setLookOf(SceneDescription changed)
 
 void Renderer::State::setGroup(SceneDescription changed, const char* key, const char* call)
 {
-    const std::string text = groupText(changed, key);
+    std::string text = groupText(changed, key);
     callTogether(
         group.communicator(), call, [&] { return text; }, [&] { validate(changed); });
     if (text != groupText(description, key)) setLookOf(std::move(changed));
@@ -171,6 +172,7 @@ void Renderer::State::setLook(StartedFrame& frame)
 /// By the plan, which may have changed.
 void Renderer::State::makeBackend()
 {
+    group.cycle().forget();
     backend = aeolic::makeBackend(group.communicator(), plan, scene());
     if (plan.missed) loaded->warn("the GPU is not used: " + plan.unusedGpu);
     info.unusedGpu = plan.unusedGpu;
@@ -183,6 +185,7 @@ void Renderer::State::makeBackend()
 void Renderer::State::moveBackend(const SceneChange& change)
 {
     overlay.forget();
+    group.cycle().forget();
     if (aeolic::moveBackend(group.communicator(), plan, change, *backend)) return;
     frames.finishAll(*backend, group);
     makeBackend();
@@ -276,6 +279,13 @@ CameraOptions Renderer::State::viewOfFrame(int index) const
     return orbited(sceneView(description.camera, scene(), output.width, output.height), turn, scene().boundsWorld);
 }
 
+double Renderer::State::phaseOfFrame(int index) const
+{
+    const LicOptions& lic = description.lic;
+    if (lic.flow == FlowMotion::off) return lic.phase;
+    return lic.phase + 2 * std::numbers::pi * index / description.output.frames;
+}
+
 std::optional<Corner> Renderer::State::steadyCorner(double next)
 {
     const OutputOptions& output = description.output;
@@ -323,21 +333,24 @@ void Renderer::State::start(const FrameSpec& spec)
 {
     requireFrame(spec);
     if (const auto* camera = std::get_if<CameraOptions>(&spec.view))
-        return startView(*camera, spec.gather, info.time, std::nullopt);
+        return startView({*camera, description.lic.phase}, spec.gather, info.time, std::nullopt);
     const int index = std::get<AnimationFrame>(spec.view).index, ofAll = description.output.frames;
     const auto& range = description.time.range;
     const double moment = range ? momentOfFrame(*range, index, ofAll) : info.time;
     const std::optional<Corner> corner = steadyCorner(moment);
     if (range) moveTo(moment, momentOfFrame(*range, std::min(index + 1, ofAll - 1), ofAll));
-    startView(viewOfFrame(index), spec.gather, range ? now : moment, corner);
+    startView({viewOfFrame(index), phaseOfFrame(index)}, spec.gather, range ? now : moment, corner);
 }
 
-void Renderer::State::startView(const CameraOptions& camera, bool gather, double moment, std::optional<Corner> corner)
+void Renderer::State::startView(const Look& look, bool gather, double moment, std::optional<Corner> corner)
 {
     if (now != moment) moveTo(moment, now);  // Whoever draws an animation and other views in turn comes back.
     StartedFrame& frame = frames.next(*backend);
     setLook(frame);
-    FrameRequest request{cameraOf(camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
+    FrameRequest request{cameraOf(look.camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
+    request.lic.phase = look.phase;
+    request.inCycle =
+        description.lic.flow == FlowMotion::loop && orbitDegOf(description) == 0 && !description.time.range;
     frame.camera = request.camera;
     frame.legendCorner = corner;
     frame.figure = figureOf(frame, scene(), info.times);

@@ -75,6 +75,8 @@ struct Renderer::State {
 
     /// The view of an animation's frame; of the only one, the description's.
     CameraOptions viewOfFrame(int index) const;
+    /// LicOptions::phase in an animation's frame. Where streaks flow it makes one turn over all frames.
+    double phaseOfFrame(int index) const;
 
     /// Takes over what the scene and the options tell of themselves, after either has changed. Where it throws, nothing
     /// has changed. Cost: the layout of a figure.
@@ -104,9 +106,13 @@ struct Renderer::State {
 private:
     /// Throws on all ranks where they ask for different frames, or for one that there is not.
     void requireFrame(const FrameSpec& spec);
+    struct Look {
+        CameraOptions camera;
+        double phase;
+    };
     /// Starts a frame of that moment. `legend`: the corner that it has in an animation; else where this picture has
     /// room for it.
-    void startView(const CameraOptions& camera, bool gather, double moment, std::optional<Corner> legend);
+    void startView(const Look& look, bool gather, double moment, std::optional<Corner> legend);
     /// What the options say now.
     void setLook(StartedFrame& frame);
     void makeBackend();

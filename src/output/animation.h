@@ -25,11 +25,15 @@ struct AnimationPlan {
     std::string path;
     int frames = 1;
     double framesPerSecond = 25;
-    std::string background = "ffffff";  ///< RRGGBB, of what a video of odd size gets at its edge.
+    std::string background = "ffffff";  ///< RRGGBB, of what a video of odd size gets at its edge, or transparent.
+    std::string title = "Flow";         ///< UTF-8. A page has it.
 };
 
 std::unique_ptr<Animation> makeApng(const AnimationPlan& plan);
 std::unique_ptr<Animation> makeWebpAnimation(const AnimationPlan& plan);
+
+/// A page for browsers that plays by itself, of the few pictures of one cycle: it draws those between them.
+std::unique_ptr<Animation> makeLoopPage(const AnimationPlan& plan);
 
 /// By the first `ffmpeg` in PATH. Throws InputError where there is none.
 std::unique_ptr<Animation> makeVideo(const AnimationPlan& plan);

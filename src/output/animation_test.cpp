@@ -11,6 +11,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/sample_files.h"
+#include "output/picture_files.h"
 
 namespace aeolic {
 namespace {
@@ -167,6 +168,38 @@ TEST(Animation, WebpShowsEveryFrameForItsTime)
     }
     WebPAnimDecoderDelete(decoder);
     EXPECT_EQ(ends, (std::vector<int>{125, 250, 375}));
+}
+
+TEST(LoopPage, IsOneFileThatPlaysTheCycleInTheTimeOfAllFrames)
+{
+    const TempFolder folder;
+    const std::string path = folder.file("a.html");
+    SceneDescription scene;
+    scene.lic.flow = FlowMotion::loop;
+    scene.output.fps = 20;
+    scene.shading.title = "<Wing> & \"tail\"";
+    EXPECT_EQ(drawnFor("a.png", scene).output.frames, 1);
+    EXPECT_EQ(drawnFor("a.webp", scene).output.frames, 48);
+    EXPECT_EQ(drawnFor(path, scene).output.frames, 8);
+    scene.output.frames = 60;
+    EXPECT_EQ(drawnFor("a.webp", scene).output.frames, 60);
+    EXPECT_EQ(drawnFor(path, scene).output.frames, 8);
+
+    PictureFiles files(path, scene);
+    for (std::uint32_t k = 0; k < 8; ++k) files.write(noise(40, 30, 3, k));
+    EXPECT_FALSE(std::filesystem::exists(path));
+    files.complete();
+    const std::string text = textOf(path);
+    EXPECT_NE(text.find("<title>&lt;Wing> &amp; &quot;tail&quot;</title>"), text.npos);
+    EXPECT_NE(text.find("const SECONDS = 3;"), text.npos);
+    EXPECT_NE(text.find("class CyclePlayer"), text.npos);
+    EXPECT_NE(text.find("background: #ffffff"), text.npos);
+    for (const char* name : {"@TITLE@", "@BACKGROUND@", "@WIDTH@", "@HEIGHT@", "@COUNT@", "@SECONDS@", "@PLAYER@",
+                             "@PICTURES@", "http:", "https:"})
+        EXPECT_EQ(text.find(name), text.npos) << name;
+    int pictures = 0;
+    for (std::size_t at = 0; (at = text.find("'data:image/webp;base64,UklGR", at)) != text.npos; ++at) ++pictures;
+    EXPECT_EQ(pictures, 8);
 }
 
 TEST(Animation, WhatIsGivenUpLeavesTheOldFile)

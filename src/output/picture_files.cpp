@@ -3,21 +3,25 @@
 #include <fmt/format.h>
 
 #include "aeolic/error.h"
+#include "description/camera.h"
 #include "output/output_check.h"
 
 namespace aeolic {
 namespace {
 
-NamedFormat checkedFormat(const std::string& path, const SceneDescription& scene)
+NamedFormat checkedFormat(const std::string& path, const SceneDescription& scene, const std::string& option)
 {
-    if (path.empty()) throw InputError("-o", "missing", "the file to write: .png, .jpg or .webp");
+    if (path.empty()) throw InputError(option, "missing", "the file to write: .png, .jpg or .webp");
     const OutputOptions& output = scene.output;
-    const bool animation = output.frames > 1;
+    const bool flows = scene.lic.flow == FlowMotion::loop, animation = output.frames > 1 || flows;
     const NamedFormat named =
-        pictureFormatOf("-o", path, animation, animation ? "" : ", or with --frames also .apng or .mp4");
-    checkFits("-o", named.format, output.width, output.height, scene.shading.background == "transparent");
+        pictureFormatOf(option, path, animation, animation ? "" : ", or with --frames also .apng or .mp4");
+    checkFits(option, named.format, output.width, output.height, scene.shading.background == "transparent");
     if (named.format == PictureFormat::mp4 && !hasFfmpeg())
-        throw InputError("-o", "found a .mp4, and no ffmpeg in PATH", "an installed ffmpeg, or .webp or .apng");
+        throw InputError(option, "found a .mp4, and no ffmpeg in PATH", "an installed ffmpeg, or .webp or .apng");
+    if (named.format == PictureFormat::html && (!flows || orbitDegOf(scene) != 0 || scene.time.range))
+        throw InputError(option, "found a .html of pictures that are not one cycle",
+                         "--flow loop, without --orbit and --time-range");
     return named;
 }
 
@@ -26,6 +30,8 @@ std::unique_ptr<Animation> animationFor(PictureFormat format, const AnimationPla
     switch (format) {
         case PictureFormat::webp:
             return plan.frames > 1 ? makeWebpAnimation(plan) : nullptr;
+        case PictureFormat::html:
+            return makeLoopPage(plan);
         case PictureFormat::apng:
             return makeApng(plan);
         case PictureFormat::mp4:
@@ -37,12 +43,36 @@ std::unique_ptr<Animation> animationFor(PictureFormat format, const AnimationPla
     return nullptr;
 }
 
+constexpr int kLoopFrames = 48, kPagePictures = 8;
+
+/// Frames of the animation that is asked for.
+int framesOf(const std::string& path, const SceneDescription& scene, const std::string& option)
+{
+    const PictureFormat format = pictureFormatOf(option, path, true).format;
+    const bool isStill = format == PictureFormat::png || format == PictureFormat::jpeg;
+    const bool isLoop = scene.lic.flow == FlowMotion::loop && !isStill;
+    return isLoop && scene.output.frames == 1 ? kLoopFrames : scene.output.frames;
+}
+
+AnimationPlan planFor(const std::string& path, const SceneDescription& scene, const std::string& option)
+{
+    const int frames = drawnFor(path, scene, option).output.frames;
+    // A page with fewer pictures takes as long.
+    const double fps = scene.output.fps * frames / framesOf(path, scene, option);
+    return {path, frames, fps, scene.shading.background, scene.shading.title.empty() ? "Flow" : scene.shading.title};
+}
+
 }  // namespace
 
-PictureFiles::PictureFiles(const std::string& path, const SceneDescription& scene)
-    : path_(path),
-      named_(checkedFormat(path, scene)),
-      plan_{path, scene.output.frames, scene.output.fps, scene.shading.background}
+SceneDescription drawnFor(const std::string& path, SceneDescription scene, const std::string& option)
+{
+    const bool isPage = pictureFormatOf(option, path, true).format == PictureFormat::html;
+    scene.output.frames = isPage ? kPagePictures : framesOf(path, scene, option);
+    return scene;
+}
+
+PictureFiles::PictureFiles(const std::string& path, const SceneDescription& scene, const std::string& option)
+    : path_(path), named_(checkedFormat(path, scene, option)), plan_(planFor(path, scene, option))
 {
     checkWritable(inOneFile() ? path_ : pathOf(0));
     if (!inOneFile()) checkWritable(pathOf(plan_.frames - 1));

@@ -21,7 +21,8 @@ struct Ending {
 };
 constexpr Ending endings[] = {{".png", PictureFormat::png, true},    {".jpg", PictureFormat::jpeg, true},
                               {".jpeg", PictureFormat::jpeg, true},  {".webp", PictureFormat::webp, true},
-                              {".apng", PictureFormat::apng, false}, {".mp4", PictureFormat::mp4, false}};
+                              {".apng", PictureFormat::apng, false}, {".mp4", PictureFormat::mp4, false},
+                              {".html", PictureFormat::html, false}};
 
 std::string encoded(const Picture& picture, const std::string& path, PictureFormat format)
 {
@@ -47,7 +48,7 @@ NamedFormat pictureFormatOf(const std::string& option, const std::string& path, 
         if (at > 0 && path[at - 1] != '/') return {ending.format, at};
     }
     throw InputError(option, "found " + inQuotes(path),
-                     std::string(animation ? "a name ending in .png, .jpg, .webp, .apng or .mp4"
+                     std::string(animation ? "a name ending in .png, .jpg, .webp, .apng, .mp4 or .html"
                                            : "a name ending in .png, .jpg or .webp") +
                          more);
 }
@@ -60,8 +61,11 @@ void checkFits(const std::string& option, PictureFormat format, int width, int h
     if (transparent && format == PictureFormat::mp4)
         throw InputError(option, "found a video of pictures that are transparent",
                          ".apng or .webp, or another background");
-    if (format == PictureFormat::webp && std::max(width, height) > WEBP_MAX_DIMENSION)
-        throw InputError(option, fmt::format("found a WebP file of {}x{} pixels", width, height),
+    const bool isWebp = format == PictureFormat::webp || format == PictureFormat::html;
+    if (isWebp && std::max(width, height) > WEBP_MAX_DIMENSION)
+        throw InputError(option,
+                         fmt::format("found {} of {}x{} pixels",
+                                     format == PictureFormat::html ? "WebP pictures" : "a WebP file", width, height),
                          fmt::format("at most {} a side, or another format", WEBP_MAX_DIMENSION));
 }
 

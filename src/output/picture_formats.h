@@ -7,7 +7,7 @@
 namespace aeolic {
 
 /// What a file of pictures is, by the end of its name.
-enum class PictureFormat { png, jpeg, webp, apng, mp4 };
+enum class PictureFormat { png, jpeg, webp, apng, mp4, html };
 
 /// The format of that name, and where its ending begins. Throws InputError naming `option` for another ending, or where
 /// nothing stands before it. `animation`: it may also be one that holds many frames and nothing else. `more`: other

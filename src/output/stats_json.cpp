@@ -77,6 +77,8 @@ std::string statsToJson(const RunStats& stats)
           {"covered_pixels", stats.frames.empty() ? 0 : stats.frames.back().coveredPixels}}},
         {"lic",
          {{"method", nameOf(scene.lic.method)},
+          {"style", nameOf(scene.lic.style)},
+          {"flow", nameOf(scene.lic.flow)},
           {"integrator", nameOf(scene.lic.integrator)},
           {"steps", scene.lic.steps},
           {"step_px", scene.lic.step},

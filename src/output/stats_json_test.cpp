@@ -40,9 +40,10 @@ TEST(StatsJson, SaysWhatWasMeasured)
     EXPECT_EQ(json["backend"], "cpu");
     EXPECT_EQ(json["ranks"], 1);
     EXPECT_EQ(json["image"], nlohmann::json::parse(R"({"width":640,"height":480,"covered_pixels":1234})"));
-    EXPECT_EQ(json["lic"],
-              nlohmann::json::parse(
-                  R"({"method":"hierarchical","integrator":"rk2","steps":128,"step_px":1.0,"kernel":"box"})"));
+    EXPECT_EQ(
+        json["lic"],
+        nlohmann::json::parse(
+            R"({"method":"hierarchical","style":"dense","flow":"off","integrator":"rk2","steps":128,"step_px":1.0,"kernel":"box"})"));
     EXPECT_EQ(json["threads_per_rank"], nlohmann::json({2, 1}));
     EXPECT_EQ(json["field_bytes_per_rank"][0], 5'000'000'000);
     EXPECT_EQ(json["peak_rss_bytes_per_rank"][0], 77);

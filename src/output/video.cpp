@@ -57,6 +57,7 @@ public:
         posix_spawn_file_actions_adddup2(&actions, complaints_, STDERR_FILENO);
         posix_spawn_file_actions_adddup2(&actions, file, kFileThere);
         std::vector<char*> arguments;
+        arguments.reserve(words.size() + 1);
         for (std::string& word : words) arguments.push_back(word.data());
         arguments.push_back(nullptr);
         const int error = posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), environ);

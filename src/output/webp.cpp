@@ -50,17 +50,30 @@ WebPConfig lossyWebp()
     return config;
 }
 
-std::string webpOf(const Picture& picture, const std::string& path)
+namespace {
+
+std::string encodedWebp(const Picture& picture, const WebPConfig& config, const std::string& path)
 {
     WebpPicture source(picture, path);
     MemoryWriter writer;
     source.get()->writer = WebPMemoryWrite;
     source.get()->custom_ptr = &writer;
-    const WebPConfig config = losslessWebp();
     if (!WebPEncode(&config, source.get()))
         throw std::runtime_error(path + ": cannot be encoded as WebP (error " +
                                  std::to_string(source.get()->error_code) + ")");
     return {reinterpret_cast<const char*>(writer.mem), writer.size};
+}
+
+}  // namespace
+
+std::string webpOf(const Picture& picture, const std::string& path)
+{
+    return encodedWebp(picture, losslessWebp(), path);
+}
+
+std::string lossyWebpOf(const Picture& picture, const std::string& path)
+{
+    return encodedWebp(picture, lossyWebp(), path);
 }
 
 }  // namespace aeolic

@@ -2,6 +2,8 @@
 
 #include <webp/encode.h>
 
+#include <string>
+
 #include "aeolic/picture.h"
 
 namespace aeolic {
@@ -24,5 +26,8 @@ private:
 WebPConfig losslessWebp();
 /// Options for frames: LIC pictures are noise, of which lossless files would be many times as large.
 WebPConfig lossyWebp();
+
+/// The bytes of a file of such a frame. Throws as webpOf() does.
+std::string lossyWebpOf(const Picture& picture, const std::string& path);
 
 }  // namespace aeolic

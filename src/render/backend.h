@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "render/edge_exchange.h"
 #include "render/gbuffer.h"
 #include "render/guard_exchange.h"
+#include "render/lic/phase_mix.h"
 #include "render/lic/row_flow.h"
 #include "render/palette.h"
 #include "render/share.h"
@@ -111,6 +113,18 @@ public:
     /// Values are right before in `compute` and in `more` rows on each side, and stay so. Collective with `beside`,
     /// which brings other ranks' values; Local without.
     virtual void flatten(const LicOptions& lic, const Extent& compute, RowExchange* beside = nullptr, int more = 0) = 0;
+
+    /// Local. Keeps the LIC stage's values, as flatten() left them, as those of one of the phases that mixPhases()
+    /// takes.
+    virtual void keepPhase(int which) = 0;
+
+    /// Local. The LIC stage's values become a mixture of those of the phases that were kept since the last projection,
+    /// all over the same rows (phase_mix.h).
+    virtual void mixPhases(const std::array<float, phase_mix::kPhases>& weights) = 0;
+
+    /// Local. In the place of project() and of all up to the LIC stage: the frame shows what the one before showed, but
+    /// for the phase and the colours. `drawn`: as it was then.
+    virtual void projectAgain(const Extent& drawn) = 0;
 
     /// Blending stage, where the palette has ambient occlusion (occlusion.h); else it does nothing. Finds the open
     /// share in `compute` and `more` rows on each side, for shade(). Collective with `beside`, which brings other

@@ -4,9 +4,10 @@
 
 namespace aeolic {
 
-/// Bytes that a processor needs for each pixel of a picture: G-buffer, LIC levels, keys and picture together. Measured
-/// with the largest set of stages. A GPU's images take their own amount (gl/project/frame_images.cpp).
-constexpr std::uint64_t kBytesPerPixel = 114;
+/// Bytes that a processor needs for each pixel of a picture: G-buffer, LIC levels, keys, picture and the phases of a
+/// cycle together. Measured with the largest set of stages. A GPU's images take their own amount
+/// (gl/project/frame_images.cpp).
+constexpr std::uint64_t kBytesPerPixel = 126;
 
 /// Bytes that a processor needs to draw a picture of this size.
 inline std::uint64_t pictureBytes(int width, int height)

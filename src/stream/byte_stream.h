@@ -37,6 +37,7 @@ private:
 /// compiled once, too: every completion handler becomes a std::function.
 class ByteStream {
 public:
+    // NOLINTBEGIN(readability-identifier-naming): names that Asio and Beast look for.
     using TcpStream = boost::beast::tcp_stream;
     using TlsStream = boost::beast::ssl_stream<TcpStream>;
     using executor_type = TcpStream::executor_type;
@@ -73,6 +74,7 @@ public:
         stream.tearDown(role, held<Error>(std::forward<Handler>(handler)));
     }
     friend void beast_close_socket(ByteStream& stream) { boost::beast::close_socket(stream.tcp()); }
+    // NOLINTEND(readability-identifier-naming)
 
 private:
     /// Handlers cannot be copied, but a std::function must be.

@@ -13,6 +13,7 @@
 #include "description/surface_spec.h"
 #include "description/validate.h"
 #include "render/lic/lic_kernel.h"
+#include "render/lic/phase_mix.h"
 
 namespace aeolic::stream {
 namespace {
@@ -175,14 +176,15 @@ ViewRequest fromHome(ViewRequest view, const Json& ofScene)
 std::uint64_t samplesOf(const SceneDescription& scene)
 {
     const std::uint64_t pixels = std::uint64_t(scene.output.width) * std::uint64_t(scene.output.height);
-    const auto steps = std::uint64_t(kernelSteps(scene.lic));
+    const std::uint64_t phases = scene.lic.flow == FlowMotion::loop ? phase_mix::kPhases : 1;
+    const auto steps = std::uint64_t(kernelSteps(scene.lic)) * phases;
     switch (scene.lic.method) {
         case LicMethod::none:
             return pixels;
         case LicMethod::direct:
             return pixels * 2 * steps;
         case LicMethod::hierarchical:
-            return pixels * 2 * std::min(steps, kMostLookUps);
+            return pixels * 2 * std::min(steps, kMostLookUps * phases);
     }
     return pixels;
 }

@@ -56,7 +56,7 @@ SceneDescription withView(const SceneDescription& scene, const ViewRequest& view
 ViewRequest fromHome(ViewRequest view, const Json& ofScene);
 
 /// A change of the scene that all viewers share.
-struct ChangeRequest {
+struct ChangeRequest {  // NOLINT(bugprone-exception-escape): as in ViewRequest.
     std::optional<std::string> surface, vectors, colorBy;
     std::optional<double> time;
     std::optional<std::vector<bool>> shown;  ///< Which of the scene's surfaces are.

@@ -7,7 +7,7 @@ import {pixelsToRgba} from '../../web/picture/lz4.js';
 import {pngDecode} from '../../web/picture/png.js';
 import {OPTIONS} from './mock/options.js';
 import {canvasPixels, stageBox, until, waitForRest, waitForState} from './harness.js';
-import {open, openEmpty, page, restAfter, sent, server} from './visit.js';
+import {middle, open, openEmpty, page, restAfter, sent, server} from './visit.js';
 
 test('loads: a picture of the stage\'s size, exact, and the Hello first', async () => {
   await open();
@@ -123,18 +123,32 @@ test('a number that the server would refuse is marked and not sent', async () =>
   assert.equal(await box.inputValue(), '128');
 });
 
-test('the streaks flow: phases go on by themselves, with the Hann kernel, and end at rest', async () => {
+test('the streaks flow: eight pictures of a cycle are asked for, and then nothing more', async () => {
   await open();
-  const count = sent.views().length;
+  const count = sent.views().length, isFlowing = () => page.evaluate(() => !document.getElementById('flowing').hidden);
   await page.getByRole('switch', {name: 'Let it flow'}).click();
-  await until(() => sent.views().length >= count + 6, 'six views of the animation');
+  await until(isFlowing, 'the cycle');
+  const views = sent.views().slice(count), phases = views.map(({lic}) => lic.phase);
+  assert.deepEqual(phases.map((phase) => Math.round(phase / (Math.PI / 4))), [0, 1, 2, 3, 4, 5, 6, 7]);
+  assert.ok(views.every(({lic, moving}) => lic.flow === 'loop' && !moving));
+  await page.waitForTimeout(300);
+  assert.equal(sent.views().length, count + 8, 'at rest it costs nothing');
+  assert.match(page.url(), /lic\.flow=loop/);
+
+  // While the camera moves there is one phase, and at rest another cycle.
+  const before = sent.views().length, [x, y] = await middle();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y, {steps: 4});
+  assert.equal(await isFlowing(), false);
+  await page.mouse.up();
+  await until(isFlowing, 'the cycle seen from there');
+  const moving = sent.views().slice(before).filter((view) => view.moving);
+  assert.ok(moving.length > 0 && moving.every(({lic}) => lic.flow === 'off' && lic.kernel === 'hann'));
+
   await page.getByRole('switch', {name: 'Let it flow'}).click();
-  await until(() => sent.lastView().moving === false, 'rest');
-  await waitForRest(page, sent.lastView().view - 1);
-  const views = sent.views().slice(count), phases = views.map(({lic}) => lic.phase ?? 0);
-  assert.ok(views.every(({lic}) => lic.kernel === 'hann'));
-  assert.ok(views.slice(0, -1).every(({moving}) => moving));
-  assert.ok(new Set(phases).size >= 5, `phases ${phases}`);
+  assert.equal(await isFlowing(), false);
+  assert.equal(sent.lastView().lic.flow, 'off');
 });
 
 test('a window of another size asks for another picture, once', async () => {

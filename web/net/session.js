@@ -83,6 +83,11 @@ export class Session extends Emitter {
     return frame.viewer === this.welcome?.viewer ? this.#sizes.get(frame.view) ?? null : null;
   }
 
+  /// Whether `frame` answers the newest own view.
+  isNewest(frame) {
+    return frame.viewer === this.welcome?.viewer && frame.view === this.#lastView;
+  }
+
   #sendView(isMoving) {
     const size = this.#stage.size;
     if (!this.#connection.isOpen || !this.welcome || !this.#model.camera || !size) return null;

@@ -4,7 +4,7 @@ import {seedField, segments, slider, toggle} from './controls.js';
 import {OptionRows} from './option_rows.js';
 import {isAcceptable} from '../view/options.js';
 
-export function streaksPart({model, phase}) {
+export function streaksPart({model, flowing}) {
   const lic = new OptionRows(model, 'lic');
   const method = lic.add('method', segments, {label: 'Method', labels: {hierarchical: 'Hierarchical', direct: 'Direct', none: 'None'}});
   const style = lic.add('style', segments, {label: 'Style', labels: {dense: 'Dense', oriented: 'Oriented'}});
@@ -22,26 +22,27 @@ export function streaksPart({model, phase}) {
                             onInput: (value, isMoving) => model.setOption('lic', 'maskBelow', value, isMoving),
                             onReset: () => model.resetOption('lic', 'maskBelow')});
   const seed = lic.add('seed', seedField, {label: 'Seed'});
-  const animate = toggle({label: 'Let it flow', onInput: (isOn) => phase.run(isOn)});
+  const animate = toggle({label: 'Let it flow', onInput: (isOn) => flowing.run(isOn)});
   const speed = slider({label: 'Speed', unit: 'turns/s', min: 0.05, max: 2, scale: 'log', digits: 2,
-                        accepts: (value) => value > 0 && value <= 20, onInput: (value) => phase.setSpeed(value)});
+                        accepts: (value) => value > 0 && value <= 20, onInput: (value) => flowing.setSpeed(value)});
 
   function update() {
     lic.update();
     const chosen = model.options.lic, isOn = chosen.method !== 'none';
     const isDense = chosen.style === 'dense';
     for (const row of [style, steps, step, noiseScale, normalize, evenness, seed]) row.show(isOn);
-    for (const row of [kernel, animate]) row.show(isOn && isDense);
+    kernel.show(isOn && isDense && !model.flows);
+    animate.show(isOn && isDense);
     exact.show(chosen.method === 'hierarchical');
     exact.set(model.isExactAtRest);
     integrator.show(chosen.method === 'direct');
-    phaseRad.show(isOn && isDense && chosen.kernel === 'hann' && !phase.isRunning);
+    phaseRad.show(isOn && isDense && chosen.kernel === 'hann' && !model.flows);
     maskBelow.setRange(0, model.scene?.longestVector || 1);
     maskBelow.set(chosen.maskBelow ?? 0, 'maskBelow' in model.changed.lic);
     maskBelow.show(isOn);
-    animate.set(phase.isRunning);
-    speed.show(isOn && phase.isRunning);
-    speed.set(phase.speed);
+    animate.set(model.flows);
+    speed.show(model.flows);
+    speed.set(flowing.speed);
   }
   const order = [method, style, exact, integrator, steps, step, noiseScale, normalize, maskBelow, kernel, evenness, animate, speed, phaseRad, seed];
   return {title: 'Streaks', elements: order.map((row) => row.element), update};

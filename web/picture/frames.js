@@ -21,6 +21,15 @@ export class Frames extends Emitter {
   #lastSeen = 0;  // The newest frame that is shown or never will be.
   hasDirect = () => false;
 
+  get canvas() {
+    return this.#canvas;
+  }
+
+  /// Takes boxes [x0, y0, x1, y1] of pixels out of the picture on the screen, for what lies over it.
+  clear(boxes) {
+    for (const [x0, y0, x1, y1] of boxes) this.#context.clearRect(x0, y0, x1 - x0, y1 - y0);
+  }
+
   constructor(canvas, decode = decodeTile) {
     super();
     this.#canvas = canvas;

@@ -20,6 +20,10 @@ function isNear(a, b) {
   return apart < Math.max(...sizes) && Math.max(...sizes) < 8 * Math.max(Math.min(...sizes), 1e-30);
 }
 
+/// So many pictures of a cycle the server draws: eight, between which the trigonometric polynomial is right within a few
+/// of 255 also where colours are bent most (docs/decisions/0034-flow-loop.md).
+export const FLOW_PICTURES = 8;
+
 /// Events: `scene` (message) when one is loaded; `camera` (isMoving); `options` (isMoving); `warnings`. isMoving: more may
 /// follow.
 export class Model extends Emitter {
@@ -33,6 +37,7 @@ export class Model extends Emitter {
   screenTextScale = 1;    // What text has to be larger by on this screen: see stage.js.
   pageBackground = null;  // RRGGBB where the scene leaves the background to the page.
   isExactAtRest = false;
+  flowStep = 0;        // Which picture of the cycle is wanted, where streaks flow.
   rangeFor = '';       // The array that changed.shading.colorRange was chosen for.
   pictureWarnings = [];  // Lines about the newest own picture at rest.
   allBounds = null;    // The bounds of all surfaces seen so far; slices can be anywhere in them.
@@ -76,7 +81,26 @@ export class Model extends Emitter {
     if (background !== this.#sceneBackground()) shading.background = background;
     if (this.screenTextScale !== 1) shading.textScale = this.#textScaleHere();
     const isExact = !isMoving && this.isExactAtRest && this.options.lic.method === 'hierarchical';
-    return {camera: this.camera, lic: {...this.changed.lic, ...(isExact ? {method: 'direct'} : {})}, shading};
+    return {camera: this.camera, lic: {...this.changed.lic, ...(isExact ? {method: 'direct'} : {}), ...this.#flowOf(isMoving)}, shading};
+  }
+
+  /// Whether streaks flow: those that can, where a person or the scene wants it.
+  get flows() {
+    const {flow, style, method} = this.options.lic;
+    return flow === 'loop' && style === 'dense' && method !== 'none';
+  }
+
+  // A cycle takes three pictures' work. While something moves one picture shows one phase of it.
+  #flowOf(isMoving) {
+    const {flow, phase} = this.options.lic;
+    if (flow !== 'loop') return {};
+    if (!this.flows) return {flow: 'off'};
+    if (isMoving) return {flow: 'off', kernel: 'hann'};
+    return {flow, phase: Number((phase + 2 * Math.PI * this.flowStep / FLOW_PICTURES).toFixed(6))};
+  }
+
+  setFlows(isOn) {
+    this.setOption('lic', 'flow', isOn ? 'loop' : 'off');
   }
 
   setScene(message) {

@@ -167,6 +167,7 @@ private:
         if (section.index == 4 && !words.empty()) swapped_ = fluentIsSwapped(words);
         if (section.index != 300) return;
         std::vector<std::int64_t> numbers;
+        numbers.reserve(words.size());
         for (const std::string& word : words) numbers.push_back(data_->number(word, 10));
         if (numbers.size() < 7) data_->fail(fmt::format("values have {} words in their head", numbers.size()), "7");
         const FluentValues values{int(numbers[0]), int(numbers[1]), std::size_t(numbers[2]),

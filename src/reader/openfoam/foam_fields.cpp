@@ -95,8 +95,8 @@ std::string usualFoamVectors(const std::vector<FoamField>& fields, bool walls)
     std::vector<std::string> vectors;
     for (const FoamField& field : fields)
         if (field.components == 3) vectors.push_back(field.name);
-    for (const std::string name : {"wallShearStress", "U"})
-        if ((walls || name == "U") && std::find(vectors.begin(), vectors.end(), name) != vectors.end()) return name;
+    for (const char* const name : {"wallShearStress", "U"})
+        if ((walls || name[0] == 'U') && std::find(vectors.begin(), vectors.end(), name) != vectors.end()) return name;
     return vectors.size() == 1 ? vectors.front() : "";
 }
 
@@ -111,7 +111,7 @@ void requireFoamFieldAt(const FoamCase& foam, double time, const std::string& ar
 {
     if (array.empty() || foam.times.empty()) return;
     if (const auto file = fileOf(foam, time, array)) {
-        FoamStream{*file};  // A field whose header is damaged is not among the others, and is told here.
+        const FoamStream readable{*file};  // A field whose header is damaged is not among the others, and is told here.
         return;
     }
     const std::vector<FoamField> fields = foamFieldsOfAllTimes(foam);

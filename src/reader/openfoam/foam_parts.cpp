@@ -57,13 +57,16 @@ public:
                                          const std::vector<std::size_t>& wanted) override
     {
         std::vector<FoamField> fields;
+        fields.reserve(wanted.size());
         for (const std::size_t array : wanted) fields.push_back(fields_[array]);
         if (patches_.empty()) {
             std::vector<std::string> regions;
+            regions.reserve(parts.size());
             for (const std::size_t part : parts) regions.push_back(foam_.regions[part]);
             return readFoamVolume(foam_, regions, time_, fields, run_, polyhedra_);
         }
         std::vector<FoamPart> patches;
+        patches.reserve(parts.size());
         for (const std::size_t part : parts) patches.push_back(patches_[part]);
         if (std::all_of(patches.begin(), patches.end(), [](const FoamPart& patch) { return patch.faces == 0; }))
             throw InputError(foam_.name, fmt::format("patch '{}' has no faces", patches.front().name()),
@@ -128,7 +131,7 @@ std::vector<double> foamTimes(const std::string& path, const std::vector<std::st
 std::vector<std::uint64_t> foamPieces(const std::string& path, FileUse use, const std::vector<std::string>& parts)
 {
     const FoamCase foam = findFoamCase(path);
-    const std::vector<std::uint64_t> pieces(foam.folders.size(), 1);
+    std::vector<std::uint64_t> pieces(foam.folders.size(), 1);
     if (use == FileUse::field || !foam.decomposed() || foam.regions.size() == 1) return pieces;
     const std::vector<FoamPart> patches = foamPatches(foam, foam.firstTime());
     const std::vector<std::size_t> chosen = chosenParts(partsOf(patches), parts, use, path);

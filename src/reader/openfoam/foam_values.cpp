@@ -57,6 +57,7 @@ void append(std::vector<float>& values, std::span<const double> some)
 std::vector<float> readUniform(FoamStream& in, int components, const std::string& item)
 {
     std::vector<float> value;
+    value.reserve(std::size_t(components));
     if (components > 1) in.expect("(", item);
     for (int c = 0; c < components; ++c) value.push_back(float(in.scalar(item)));
     if (components > 1) in.expect(")", item);
@@ -174,6 +175,7 @@ void takeCells(const FoamPath& file, const FoamPath& ownerFile, int components, 
                const std::vector<std::pair<std::size_t, bool>>& open, std::vector<float>& values)
 {
     std::vector<std::uint64_t> numbers;
+    numbers.reserve(open.size());
     for (const auto& [face, mirror] : open) numbers.push_back(faces.numbers[face]);
     const std::vector<std::int64_t> owners = readFoamLabels(ownerFile, numbers);
     const auto cells = readSomeCells(file, components, owners);

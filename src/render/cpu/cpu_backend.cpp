@@ -8,6 +8,7 @@
 #include "base/processor.h"
 #include "render/cpu/edges/edge_stage.h"
 #include "render/cpu/lic/lic_stage.h"
+#include "render/cpu/lic/phase_mixer.h"
 #include "render/cpu/project/projection.h"
 #include "render/cpu/project/raster/coverage.h"
 #include "render/cpu/shade/cpu_occlusion.h"
@@ -78,6 +79,13 @@ public:
     {
         lic_.flatten(buffer_, lic, compute, beside, more);
     }
+
+    void keepPhase(int which) override { phases_.keep(which, lic_.values()); }
+    void mixPhases(const std::array<float, phase_mix::kPhases>& weights) override
+    {
+        phases_.mix(buffer_, weights, lic_.values());
+    }
+    void projectAgain(const Extent& /*drawn*/) override {}  // Everything is where it was.
 
     void occlude(const Palette& palette, const Extent& compute, RowExchange* beside, int more) override
     {
@@ -163,6 +171,7 @@ private:
     CoverageCount coverage_;
     GBuffer buffer_;
     LicStage lic_;
+    PhaseMixer phases_;
     OcclusionStage occlusion_;
     EdgeStage edges_;
     View view_;  // Of the last projection.

@@ -147,6 +147,30 @@ public:
         context_->check("taking means off");
     }
 
+    void keepPhase(int which) override
+    {
+        if (method_ == LicMethod::none) return;
+        context_->bind();
+        gpu_->phases.keep(which, gpu_->images);
+        context_->check("keeping a phase");
+    }
+
+    void mixPhases(const std::array<float, phase_mix::kPhases>& weights) override
+    {
+        if (method_ == LicMethod::none) return;
+        context_->bind();
+        gpu_->phases.mix(context_->programs(), gpu_->images, weights, gpu_->frames.drawn().timers);
+        context_->check("mixing phases");
+    }
+
+    void projectAgain(const Extent& drawn) override
+    {
+        context_->bind();
+        gpu_->frames.begin().counts.start(context_->programs(), gpu_->images.visible, drawn.y0, drawn.y1);
+        gpu_->bindView();
+        context_->check("beginning a frame");
+    }
+
     void occlude(const Palette& palette, const Extent& compute, RowExchange* beside, int more) override
     {
         if (!palette.occlusion) return;

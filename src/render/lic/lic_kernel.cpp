@@ -45,7 +45,7 @@ KernelModel makeKernelModel(const LicOptions& lic)
         kernel.meanWeight = 0.5;
         kernel.concentration = 4.0 / 3.0;
         kernel.ofSecond = 1;
-    } else if (lic.kernel == Kernel::hann) {
+    } else if (lic.kernel == Kernel::hann || lic.flow == FlowMotion::loop) {
         kernel.shape = Shape::hann;
         kernel.phaseRad = lic.phase;
         kernel.meanWeight = 0.5;

@@ -2,15 +2,9 @@
 
 #include <utility>
 
-extern "C" {
-// cmake/embed.cmake makes an assembler file of web/, which defines this.
-struct AeolicWebFile {
-    const char* name;
-    const char* begin;
-    const char* end;
-};
-extern const AeolicWebFile aeolicWebFiles[];  // Ends with a null name.
-}
+#include "base/embedded_file.h"
+
+extern "C" const aeolic::EmbeddedFile aeolicWebFiles[];
 
 namespace aeolic::stream {
 namespace {
@@ -33,8 +27,8 @@ std::optional<WebAsset> webAsset(std::string_view path)
 {
     if (path.empty() || path.front() != '/') return std::nullopt;
     const std::string_view name = path == "/" ? "index.html" : path.substr(1);
-    for (const AeolicWebFile* file = aeolicWebFiles; file->name; ++file)
-        if (name == file->name) return WebAsset{{file->begin, std::size_t(file->end - file->begin)}, contentType(name)};
+    for (const EmbeddedFile* file = aeolicWebFiles; file->name; ++file)
+        if (name == file->name) return WebAsset{file->bytes(), contentType(name)};
     return std::nullopt;
 }
 

@@ -15,7 +15,7 @@ std::string textOf(const Json& json, const char* key)
 
 std::string nonceOf(const Json& json)
 {
-    const std::string nonce = textOf(json, "nonce");
+    std::string nonce = textOf(json, "nonce");
     if (!isNonce(nonce)) throw ProtocolError("a nonce of another length");
     return nonce;
 }

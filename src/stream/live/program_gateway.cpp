@@ -23,7 +23,7 @@ constexpr auto kGoodbye = std::chrono::milliseconds(100);  // Viewers on this ho
 
 }  // namespace
 
-ProgramGateway::ProgramGateway(Options options)
+ProgramGateway::ProgramGateway(const Options& options)
     : hub_(options.hub, [this](const WireMessage& message) { jobLinks_.send(message); }),
       jobLinks_(io_, options.linksOnAllHosts ? "" : "127.0.0.1", 0, kSilenceLimit,
                 {[this, ranks = options.ranks] { hub_.jobStarted(ranks); },

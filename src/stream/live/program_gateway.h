@@ -25,7 +25,7 @@ public:
         int ranks = 1;
     };
     /// Opens the ports. Throws InputError where one cannot be had.
-    explicit ProgramGateway(Options options);
+    explicit ProgramGateway(const Options& options);
     /// Tells viewers that the server stops, and waits for its thread: a tenth of a second.
     ~ProgramGateway();
     ProgramGateway(const ProgramGateway&) = delete;

@@ -64,7 +64,7 @@ beforeEach(() => {
   model = new Model();
   model.setAspect(1);
   model.setScene(sceneMessage());
-  const page = {model, phase: {isRunning: false, speed: 1}, changes: new Changes(() => true), actions: {}};
+  const page = {model, flowing: {speed: 1}, changes: new Changes(() => true), actions: {}};
   parts = [streaksPart(page), colorPart(page), figurePart(page), viewPart(page)];
   for (const part of parts) part.update();
 });

@@ -136,7 +136,7 @@ vtkSmartPointer<vtkPolyData> boundaryWithShells(vtkDataSet& data, const std::vec
     marks->SetNumberOfValues(vtkIdType(shells.size()));
     std::copy(shells.begin(), shells.end(), marks->GetPointer(0));
     marked->GetCellData()->AddArray(marks);
-    const auto surface = outerSurface(*marked, where);
+    auto surface = outerSurface(*marked, where);
     const std::vector<char> own = splitShells(*surface);
     surface->GetCellData()->RemoveArray(kShell);
     for (int k = 0; k < surface->GetPointData()->GetNumberOfArrays(); ++k) {

@@ -73,7 +73,7 @@ std::string faultOfArrays(vtkXMLDataElement& primary)
             for (const char* group : {"PointData", "CellData", "Points"}) {
                 const auto found = arraysAt(*piece, group, step, steps);
                 if (tuplesOf(*piece, group[0] == 'C') == 0) continue;
-                const std::string fault = faultOf(found, arraysAt(*pieces.front(), group, 0, steps), group);
+                std::string fault = faultOf(found, arraysAt(*pieces.front(), group, 0, steps), group);
                 if (!fault.empty()) return fault;
             }
             for (const char* group : {"Cells", "Verts", "Lines", "Strips", "Polys"})

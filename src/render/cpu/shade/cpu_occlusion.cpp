@@ -170,6 +170,7 @@ void OcclusionStage::copyDepths(const GBuffer& buffer, const Extent& compute)
 void OcclusionStage::findHidden(const GBuffer& buffer, const View& view, const Extent& compute, int radius)
 {
     std::vector<OcclusionTaps> taps;
+    taps.reserve(occlusion::kTile);
     for (int y = 0; y < occlusion::kTile; ++y) taps.emplace_back(y, radius, depths_.stride());
     forEachRow(compute.y0, compute.y1, [&](int y) {
         const ColumnSpan& columns = buffer.surfaceColumns(y);

@@ -55,7 +55,8 @@ HWY_EXPORT(shadeRow);
 
 void shadeRows(const ShadeInput& input, const Extent& compute, Tile& out)
 {
-    const auto& [buffer, lic, open, palette] = input;
+    const GBuffer& buffer = input.buffer;
+    const Palette& palette = input.palette;
     out.setBackground(palette.background);
     parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {

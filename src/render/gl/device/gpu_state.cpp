@@ -8,8 +8,13 @@ void GpuState::draw(Programs& programs, const View& from, const Extent& area)
 {
     const ViewBlock block = makeViewBlock(from, images.valid.y0, images.valid.height());
     view.write(0, sizeof block, &block);
-    glBindBufferBase(GL_UNIFORM_BUFFER, kViewBinding, view.id());
+    bindView();
     drawVisibility(programs, scene, from, images.target, area);
+}
+
+void GpuState::bindView() const
+{
+    glBindBufferBase(GL_UNIFORM_BUFFER, kViewBinding, view.id());
 }
 
 void GpuState::findLinks(Programs& programs, const View& from, const Extent& drawn, const Extent& neighbours)

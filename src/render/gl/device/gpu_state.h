@@ -7,6 +7,7 @@
 #include "render/gl/edges/edges.h"
 #include "render/gl/lic/gl_flatten.h"
 #include "render/gl/lic/gl_lic_stage.h"
+#include "render/gl/lic/gl_phases.h"
 #include "render/gl/lic/guard_rows.h"
 #include "render/gl/lic/near_tiles.h"
 #include "render/gl/project/brick_pixels.h"
@@ -27,6 +28,9 @@ struct GpuState {
     /// Which triangle shows in each pixel of `area`, and the view for all that follows.
     void draw(Programs& programs, const View& from, const Extent& area);
 
+    /// Shaders get the view of the last draw().
+    void bindView() const;
+
     /// Links of `drawn`, once the pixels of `neighbours` are there.
     void findLinks(Programs& programs, const View& from, const Extent& drawn, const Extent& neighbours);
 
@@ -45,6 +49,7 @@ struct GpuState {
     HierarchicalConvolution hierarchical;
     AlongFlow along;
     Flatten flatten;
+    GlPhases phases;
     Occlusion occlusion;
     Shade shade;
     Edges edges;

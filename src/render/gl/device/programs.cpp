@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "base/embedded_file.h"
 #include "render/antialias.h"
 #include "render/flatten.h"
 #include "render/front_bias.h"
@@ -21,11 +22,7 @@
 #include "render/shading_model.h"
 #include "render/surface_mark.h"
 
-/// What cmake/embed.cmake puts into the library.
-struct EmbeddedShader {
-    const char *name, *begin, *end;
-};
-extern "C" const EmbeddedShader aeolicShaders[];
+extern "C" const aeolic::EmbeddedFile aeolicShaders[];
 
 namespace aeolic::gl {
 namespace {
@@ -201,7 +198,7 @@ Program build(const std::string& name, const std::vector<ShaderSource>& stages, 
 
 std::string_view shaderSource(std::string_view file)
 {
-    for (const EmbeddedShader* shader = aeolicShaders; shader->name; ++shader) {
+    for (const EmbeddedFile* shader = aeolicShaders; shader->name; ++shader) {
         const std::string_view path = shader->name;
         if (path.substr(path.rfind('/') + 1) == file) return {shader->begin, std::size_t(shader->end - shader->begin)};
     }

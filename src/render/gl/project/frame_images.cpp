@@ -10,8 +10,9 @@ namespace aeolic::gl {
 namespace {
 
 constexpr int kRowsBeyond = Image<float>::kApronRows;
-/// All below, with two levels of jumps, and what edges, means and occlusion take (Edges, Flatten, Occlusion).
-constexpr std::uint64_t kBytesPerPixel = 202;
+/// All below, with two levels of jumps, and what edges, means, occlusion and phases take (Edges, Flatten,
+/// Occlusion, GlPhases).
+constexpr std::uint64_t kBytesPerPixel = 214;
 
 }  // namespace
 

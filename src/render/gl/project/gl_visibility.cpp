@@ -53,6 +53,7 @@ std::vector<std::int64_t> CoverageCount::count(Programs& programs, const GpuScen
     counts_.start(programs, ids_, 0, height);
     counts_.wait();
     std::vector<std::int64_t> covered;
+    covered.reserve(std::size_t(height));
     for (int y = 0; y < height; ++y) covered.push_back(counts_.get(y, y + 1));
     return covered;
 }

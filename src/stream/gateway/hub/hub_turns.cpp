@@ -183,6 +183,7 @@ void Hub::chargeWhatWasBegun(const Drawing& drawing)
 /// held up counts less than one that was quick: the next one may take longer than expected, but hardly less.
 void Hub::learnSpeed(const SceneDescription& scene, double tracedMs)
 {
+    if (scene.lic.flow == FlowMotion::loop) return;  // Most pictures of a cycle are mixed from the first.
     if (samplesOf(scene) < kTellingSamples || !(tracedMs > 0)) return;
     double& speed = samplesPerMs_[std::size_t(scene.lic.method)];
     const double now = double(samplesOf(scene)) / tracedMs;

@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "aeolic/error.h"
+#include "aeolic/renderer.h"
+#include "description/choices.h"
+#include "render_testing.h"
+
+/// Streaks that flow: pictures of one cycle.
+namespace aeolic {
+namespace {
+
+using namespace testkit;
+
+class FlowLoop : public BackendTest {
+protected:
+    SceneDescription scene(LicMethod method = LicMethod::hierarchical) const
+    {
+        SceneDescription d;
+        d.surface.spec = "teapot:6000";
+        d.field.spec = "abc:24,24,24";
+        d.shading.colorBy = "abc:mag";
+        d.lic.method = method;
+        d.lic.steps = 60;
+        d.lic.flow = FlowMotion::loop;
+        d.output.width = 150;
+        d.output.height = 120;
+        d.output.frames = 12;
+        d.run.backend = *choiceNamed<BackendChoice>(GetParam());
+        return d;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Backends, FlowLoop, allBackends, backendName);
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes frame(Renderer& renderer, int index)
+{
+    return renderer.render({AnimationFrame{index}}).pixels;
+}
+
+Bytes alone(const SceneDescription& scene, int index)
+{
+    Renderer renderer(scene);
+    return frame(renderer, index);
+}
+
+double meanDifference(const Bytes& a, const Bytes& b)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(int(a[i]) - int(b[i]));
+    return sum / double(a.size());
+}
+
+TEST_P(FlowLoop, AFramesBytesDoNotDependOnWhatWasDrawnBefore)
+{
+    const SceneDescription d = scene();
+    Renderer renderer(d);
+    const Bytes first = frame(renderer, 0), seventh = frame(renderer, 7);
+    EXPECT_NE(first, seventh);
+    EXPECT_EQ(seventh, alone(d, 7));
+    EXPECT_EQ(frame(renderer, 0), first);
+
+    CameraOptions other;
+    other.azimuth = 75;
+    renderer.render({other});
+    EXPECT_EQ(frame(renderer, 7), seventh);  // Another view lay between.
+    ShadingOptions shading = d.shading;
+    shading.colormap = "coolwarm";
+    renderer.setShading(shading);
+    SceneDescription colored = d;
+    colored.shading = shading;
+    EXPECT_EQ(frame(renderer, 7), alone(colored, 7));  // Only colours changed.
+    shading.antialias = false;
+    shading.occlusion = true;
+    renderer.setShading(shading);
+    colored.shading = shading;
+    EXPECT_EQ(frame(renderer, 7), alone(colored, 7));
+    renderer.setShading(d.shading);
+    LicOptions lic = d.lic;
+    lic.seed = 5;
+    renderer.setLic(lic);
+    EXPECT_NE(frame(renderer, 7), seventh);
+    renderer.setLic(d.lic);
+    renderer.setSize(75, 60);
+    frame(renderer, 3);
+    renderer.setSize(150, 120);
+    EXPECT_EQ(frame(renderer, 7), seventh);
+}
+
+TEST_P(FlowLoop, TheFrameAfterTheLastIsTheFirst)
+{
+    SceneDescription d = scene();
+    const Bytes first = alone(d, 0);
+    d.lic.phase = 2 * std::numbers::pi;
+    EXPECT_EQ(alone(d, 0), first);
+    // A step on from the last frame is as small as any other.
+    Renderer renderer(scene());
+    const Bytes second = frame(renderer, 1), last = frame(renderer, 11);
+    const double step = meanDifference(first, second), back = meanDifference(last, first);
+    EXPECT_GT(step, 0.3);
+    EXPECT_NEAR(back, step, 0.15 * step);
+}
+
+/// Mixed from three phases, a picture is the one that the Hann kernel of that phase makes.
+TEST_P(FlowLoop, IsTheHannKernelAtEveryPhase)
+{
+    for (const LicMethod method : {LicMethod::direct, LicMethod::hierarchical}) {
+        SceneDescription still = scene(method);
+        still.lic.flow = FlowMotion::off;
+        still.lic.kernel = Kernel::hann;
+        still.output.orbit = 0;
+        Renderer renderer(scene(method));
+        for (const int index : {0, 1, 5, 10}) {
+            still.lic.phase = 2 * std::numbers::pi * index / 12;
+            EXPECT_LT(meanDifference(frame(renderer, index), alone(still, index)), 0.25) << index;
+        }
+    }
+}
+
+/// What turns besides is drawn anew for each frame, and still closes.
+TEST_P(FlowLoop, GoesOnWhileTheCameraTurns)
+{
+    SceneDescription d = scene();
+    d.output.orbit = 360;
+    SceneDescription hann = d;
+    hann.lic.flow = FlowMotion::off;
+    hann.lic.kernel = Kernel::hann;
+    hann.lic.phase = 2 * std::numbers::pi * 5 / 12;
+    EXPECT_EQ(alone(d, 5), alone(hann, 5));
+}
+
+TEST_P(FlowLoop, NothingToFlowIsDrawnAsItIs)
+{
+    SceneDescription d = scene(LicMethod::none);
+    Renderer renderer(d);
+    EXPECT_EQ(frame(renderer, 0), frame(renderer, 5));
+    SceneDescription away = scene();
+    away.camera.position = Vec3{0, -20, 0};
+    away.camera.focal = Vec3{0, -30, 0};
+    Renderer empty(away);
+    EXPECT_EQ(frame(empty, 0), frame(empty, 5));
+    EXPECT_EQ(empty.lastFrame().coveredPixels, 0);
+}
+
+TEST_P(FlowLoop, SumsAreKeptWhereTheCameraStands)
+{
+    Renderer renderer(scene());
+    frame(renderer, 0);
+    const std::int64_t covered = renderer.lastFrame().coveredPixels;
+    frame(renderer, 1);
+    EXPECT_EQ(renderer.lastFrame().coveredPixels, covered);
+    EXPECT_GT(covered, 1000);
+}
+
+TEST(FlowLoopOptions, OrientedStreaksDoNotFlow)
+{
+    SceneDescription d;
+    d.lic.flow = FlowMotion::loop;
+    d.lic.style = Style::oriented;
+    EXPECT_THROW(Renderer{d}, InputError);
+}
+
+}  // namespace
+}  // namespace aeolic

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "base/embedded_file.h"
+#include "output/animation.h"
+#include "output/new_file.h"
+#include "output/webp.h"
+
+extern "C" const aeolic::EmbeddedFile aeolicLoopFiles[];
+
+namespace aeolic {
+namespace {
+
+std::string_view loopFile(std::string_view name)
+{
+    for (const EmbeddedFile* file = aeolicLoopFiles; file->name; ++file)
+        if (name == file->name) return file->bytes();
+    throw std::logic_error("no file of a loop's page has that name");
+}
+
+std::string base64(const std::string& bytes)
+{
+    std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // The function ends it with a zero.
+    const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                                       reinterpret_cast<const unsigned char*>(bytes.data()), int(bytes.size()));
+    text.resize(std::size_t(length));
+    return text;
+}
+
+std::string escaped(std::string_view text)
+{
+    std::string safe;
+    for (const char c : text) switch (c) {
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            default:
+                safe += c;
+        }
+    return safe;
+}
+
+/// A page that stands alone: the pictures of one cycle, and what plays them in a browser (web/picture/cycle.js).
+class LoopPage : public Animation {
+public:
+    explicit LoopPage(const AnimationPlan& plan) : plan_(plan) {}
+
+    void add(const Picture& picture) override
+    {
+        pictures_ += fmt::format("  'data:image/webp;base64,{}',\n", base64(lossyWebpOf(picture, plan_.path)));
+        width_ = picture.width;
+        height_ = picture.height;
+    }
+
+    void complete() override
+    {
+        const std::pair<std::string_view, std::string> values[] = {
+            {"@TITLE@", escaped(plan_.title)},
+            {"@BACKGROUND@", plan_.background == "transparent" ? plan_.background : "#" + plan_.background},
+            {"@WIDTH@", std::to_string(width_)},
+            {"@HEIGHT@", std::to_string(height_)},
+            {"@COUNT@", std::to_string(plan_.frames)},
+            {"@SECONDS@", fmt::format("{}", plan_.frames / plan_.framesPerSecond)},
+            {"@PLAYER@\n", std::string(loopFile("picture/cycle.js"))},
+            {"@PICTURES@\n", pictures_},
+        };
+        NewFile file(plan_.path);
+        std::string_view rest = loopFile("loop/loop.html");
+        for (std::size_t at = rest.find('@'); at != rest.npos; at = rest.find('@')) {
+            file.write(rest.substr(0, at));
+            rest.remove_prefix(at);
+            bool found = false;
+            for (const auto& [name, value] : values) {
+                if (!rest.starts_with(name)) continue;
+                file.write(value);
+                rest.remove_prefix(name.size());
+                found = true;
+                break;
+            }
+            if (found) continue;
+            file.write(rest.substr(0, 1));
+            rest.remove_prefix(1);
+        }
+        file.write(rest);
+        file.complete();
+    }
+
+private:
+    AnimationPlan plan_;
+    std::string pictures_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Animation> makeLoopPage(const AnimationPlan& plan)
+{
+    return std::make_unique<LoopPage>(plan);
+}
+
+}  // namespace aeolic

@@ -1,0 +1,29 @@
+#include "render/gl/lic/gl_phases.h"
+
+#include "render/gl/device/dispatch.h"
+
+namespace aeolic::gl {
+
+void GlPhases::keep(int which, const FrameImages& images)
+{
+    const Texture& values = images.lic;
+    Texture& kept = kept_[std::size_t(which)];
+    if (kept.width() != values.width() || kept.height() != values.height())
+        kept = Texture::image(values.format(), values.width(), values.height());
+    glCopyImageSubData(values.id(), GL_TEXTURE_2D, 0, 0, 0, 0, kept.id(), GL_TEXTURE_2D, 0, 0, 0, 0, values.width(),
+                       values.height(), 1);
+}
+
+void GlPhases::mix(Programs& programs, const FrameImages& images, const std::array<float, phase_mix::kPhases>& weights,
+                   StageTimers& timers) const
+{
+    timers.begin(Stage::convolve);
+    const GLuint program = programs.compute("mix_phases");
+    glProgramUniform3f(program, 1, weights[0], weights[1], weights[2]);
+    for (GLuint i = 0; i < GLuint(kept_.size()); ++i) kept_[i].bind(i);
+    images.lic.bindImage(0);
+    dispatchOver(program, {0, 0, images.lic.width(), images.valid.height()});
+    timers.end();
+}
+
+}  // namespace aeolic::gl

@@ -1,0 +1,154 @@
+// The flowing streaks: which pictures are asked for, and what is made of them. The session and the frames are stand-ins.
+
+import assert from 'node:assert/strict';
+import {beforeEach, test} from 'node:test';
+
+import {cycleWeights, flowingBoxes} from '../../../web/picture/cycle.js';
+import {Emitter} from '../../../web/page/emitter.js';
+import {Flowing} from '../../../web/view/flowing.js';
+import {FLOW_PICTURES, Model} from '../../../web/view/model.js';
+import {sceneMessage} from '../mock/server.js';
+
+globalThis.ImageData = class { constructor(data, width, height) { Object.assign(this, {data, width, height}); } };
+let ticks = [], nowMs = 0;
+globalThis.requestAnimationFrame = (tick) => ticks.push(tick);
+performance.now = () => nowMs;
+
+let model, frames, session, stage, flowing, canvas, player, settled, told, newest;
+
+class Player {
+  drawn = [];
+  setPictures(pictures) { this.pictures = pictures; return [[0, 0, 2, 2]]; }
+  draw(turns) { this.drawn.push(turns); }
+}
+
+beforeEach(() => {
+  [ticks, nowMs, settled, told, newest] = [[], 1000, 0, [], 0];
+  model = new Model();
+  model.setAspect(1);
+  model.setScene(sceneMessage());
+  frames = Object.assign(new Emitter(), {canvas: {style: {cssText: 'left: 1px'}}, cleared: [], clear(boxes) { this.cleared.push(...boxes); }});
+  session = Object.assign(new Emitter(), {pacer: {settle: () => ++settled}, isNewest: ({view}) => view === newest});
+  [stage, canvas, player] = [new Emitter(), {style: {}, hidden: true}, new Player()];
+  flowing = new Flowing({model, frames, stage, session, tell: (text) => told.push(text)}, canvas, () => player);
+});
+
+// A picture at rest is on the screen.
+function shown(view, {width = 4, lossless = true} = {}) {
+  newest = view;
+  const frame = {view, width, height: 4, lossless, pixels: new Uint8ClampedArray(width * 16).fill(view)};
+  frames.emit('drawn', frame);
+  frames.emit('shown', frame);
+}
+
+const wanted = () => model.viewGroups(false).lic;
+const step = () => Math.round(wanted().phase / (2 * Math.PI) * FLOW_PICTURES);
+
+function fill(from = 1) {
+  for (let i = 0; i < FLOW_PICTURES; ++i) {
+    assert.equal(step(), i);
+    shown(from + i);
+  }
+}
+
+test('asks for the pictures of a cycle one after the other, then plays them and asks for none', () => {
+  flowing.run(true);
+  fill();
+  assert.equal(settled, FLOW_PICTURES - 1);
+  assert.equal(flowing.isPlaying, true);
+  assert.equal(canvas.hidden, false);
+  assert.equal(canvas.style.cssText, 'left: 1px');
+  assert.deepEqual(player.pictures.map(({data}) => data[0]), [1, 2, 3, 4, 5, 6, 7, 8]);
+  assert.deepEqual(frames.cleared, []);
+  nowMs += 40;
+  ticks.shift()(nowMs);
+  nowMs += 60000;  // A hidden tab.
+  ticks.shift()(nowMs);
+  const [first, second, third] = player.drawn;
+  assert.ok(Math.abs(first - 7 / 8) < 1e-9 && Math.abs(second - first - 0.02) < 1e-9 && Math.abs(third - second - 0.05) < 1e-9, `${player.drawn}`);
+});
+
+for (const [what, happens] of [
+  ['the camera moves', () => model.moveCamera({...model.camera, position: [9, 9, 9]})],
+  ['an option changes', () => model.setOption('shading', 'contrast', 0.5)],
+  ['the scene changes', () => model.setScene(sceneMessage())],
+  ['the window changes', () => stage.emit('resize')],
+  ['one follows another viewer', () => session.emit('following', 3)],
+  ['a picture in motion comes', () => frames.emit('drawn', {lossless: false})],
+])
+  test(`ends where ${what}, and begins again at rest`, () => {
+    flowing.run(true);
+    fill();
+    happens();
+    assert.equal(flowing.isPlaying, false);
+    assert.equal(canvas.hidden, true);
+    const {length} = player.drawn;
+    for (const tick of ticks.splice(0)) tick(nowMs += 16);
+    assert.equal(player.drawn.length, length, 'nothing is drawn any more');
+    fill(20);
+    assert.equal(flowing.isPlaying, true);
+  });
+
+test('a change on the way throws away what came before it', () => {
+  flowing.run(true);
+  shown(1);
+  shown(2);
+  model.setOption('lic', 'seed', 7);
+  fill(10);
+  assert.equal(player.pictures[0].data[0], 10);
+});
+
+test('old pictures, those of others, with loss, or of another size are none of the cycle', () => {
+  flowing.run(true);
+  shown(1);
+  frames.emit('shown', {view: 0, width: 4, height: 4, lossless: true, pixels: new Uint8ClampedArray(64)});
+  shown(2, {width: 5});
+  assert.equal(step(), 1);
+});
+
+test('below flowing pixels a transparent picture is taken away', () => {
+  model.setOption('shading', 'background', 'transparent');
+  flowing.run(true);
+  fill();
+  assert.deepEqual(frames.cleared, [[0, 0, 2, 2]]);
+});
+
+test('without WebGL the streaks stand, and a person hears why', () => {
+  player.setPictures = () => { throw new Error('this browser has no WebGL 2'); };
+  flowing.run(true);
+  fill();
+  assert.equal(flowing.isRunning, false);
+  assert.match(told[0], /no WebGL 2/);
+});
+
+test('oriented streaks and none do not flow; the server is asked for neither', () => {
+  model.setOption('lic', 'flow', 'loop');
+  for (const [key, value] of [['style', 'oriented'], ['method', 'none']]) {
+    model.setOption('lic', key, value);
+    assert.equal(flowing.isRunning, false);
+    assert.equal(wanted().flow, 'off');
+    model.resetOption('lic', key);
+  }
+  assert.equal(wanted().flow, 'loop');
+  assert.deepEqual([model.viewGroups(true).lic.flow, model.viewGroups(true).lic.kernel], ['off', 'hann']);
+});
+
+test('weights go through every picture, add up to 1, and make waves of up to three turns exactly', () => {
+  for (const count of [5, 8]) {
+    for (let i = 0; i < count; ++i) cycleWeights(i / count, count).forEach((weight, k) => assert.ok(Math.abs(weight - (i === k)) < 1e-12));
+    for (const turns of [0.03, 0.31, 0.77, 1.2]) {
+      const weights = cycleWeights(turns, count), wave = (t) => 2 + Math.cos(2 * Math.PI * t) - 3 * Math.sin(2 * 2 * Math.PI * t) + (count > 6 ? Math.cos(3 * 2 * Math.PI * t) : 0);
+      const mixed = weights.reduce((sum, weight, i) => sum + weight * wave(i / count), 0);
+      assert.ok(Math.abs(mixed - wave(turns)) < 1e-9 && Math.abs(weights.reduce((a, b) => a + b) - 1) < 1e-12);
+    }
+  }
+});
+
+test('boxes cover what differs, and nothing else', () => {
+  const width = 70, height = 40, blank = () => new ImageData(new Uint8ClampedArray(width * height * 4), width, height);
+  const one = blank(), other = blank();
+  assert.deepEqual(flowingBoxes([one, other]), []);
+  for (const [x, y] of [[0, 0], [16, 3], [69, 39]]) other.data[4 * (y * width + x) + 1] = 9;
+  other.data[4 * (20 * width + 40)] = 2;  // Too little to be seen.
+  assert.deepEqual(flowingBoxes([one, other]), [[0, 0, 32, 16], [64, 32, 70, 40]]);
+});

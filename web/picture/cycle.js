@@ -1,0 +1,150 @@
+// Plays streaks that flow. A pixel's value goes through its cycle as a constant, a cosine and a sine do, and light and
+// colours bend that a little. So a few pictures of the cycle tell all others: between them goes the trigonometric
+// polynomial through them, and the last one leads on to the first. WebGL draws it at the screen's rate.
+
+const VERTEX = `#version 300 es
+in vec2 corner;
+void main() { gl_Position = vec4(corner, 0.0, 1.0); }`;
+
+// Without a GPU texture() is faster than texelFetch().
+const fragment = (count) => `#version 300 es
+precision highp float;
+uniform vec2 texel;
+uniform sampler2D pictures[${count}];
+uniform float weights[${count}];
+out vec4 color;
+void main() {
+  vec2 at = gl_FragCoord.xy * texel;
+  color = vec4(0.0);
+${Array.from({length: count}, (_, i) => `  color += weights[${i}] * texture(pictures[${i}], at);`).join('\n')}
+}`;
+
+const TILE_PX = 16;
+const SAME = 2;  // Of 255. Nobody sees a smaller difference, and packed pictures have such where nothing flows.
+
+/// What each of `count` pictures, evenly spread over the cycle, counts at a phase in turns. They add up to 1.
+export function cycleWeights(turns, count) {
+  const half = count / 2, weights = [];
+  for (let i = 0; i < count; ++i) {
+    const angle = 2 * Math.PI * (turns - i / count);
+    let sum = 1;
+    for (let wave = 1; wave < half; ++wave) sum += 2 * Math.cos(wave * angle);
+    if (Number.isInteger(half)) sum += Math.cos(half * angle);
+    weights.push(sum / count);
+  }
+  return weights;
+}
+
+/// The tiles in which the pictures differ, as boxes [x0, y0, x1, y1] of pixels; neighbours in a row are one box. Pictures:
+/// ImageData of one size.
+export function flowingBoxes(pictures) {
+  const {width, height} = pictures[0], columns = Math.ceil(width / TILE_PX), boxes = [];
+  const words = pictures.map(({data}) => new Uint32Array(data.buffer, data.byteOffset, data.byteLength / 4));
+  const differs = (at) => {
+    const first = words[0][at];
+    for (let i = 1; i < words.length; ++i) {
+      const other = words[i][at];
+      if (other === first) continue;
+      for (let shift = 0; shift < 32; shift += 8) if (Math.abs((other >>> shift & 255) - (first >>> shift & 255)) > SAME) return true;
+    }
+    return false;
+  };
+  for (let y0 = 0; y0 < height; y0 += TILE_PX) {
+    const y1 = Math.min(y0 + TILE_PX, height);
+    let open = null;
+    for (let column = 0; column < columns; ++column) {
+      const x0 = column * TILE_PX, x1 = Math.min(x0 + TILE_PX, width);
+      let flows = false;
+      for (let y = y0; y < y1 && !flows; ++y) for (let x = x0; x < x1 && !flows; ++x) flows = differs(y * width + x);
+      if (flows && open) open[2] = x1;
+      else if (flows) boxes.push(open = [x0, y0, x1, y1]);
+      else open = null;
+    }
+  }
+  return boxes;
+}
+
+function program(gl, count) {
+  const made = gl.createProgram();
+  for (const [type, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, fragment(count)]]) {
+    const shader = gl.createShader(type);
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    gl.attachShader(made, shader);
+  }
+  gl.bindAttribLocation(made, 0, 'corner');
+  gl.linkProgram(made);
+  if (!gl.getProgramParameter(made, gl.LINK_STATUS) && !gl.isContextLost()) throw new Error(gl.getProgramInfoLog(made) || 'WebGL has no program');
+  return made;
+}
+
+// Two triangles a box, in WebGL's coordinates, which begin at the bottom, as the textures do.
+function cornersOf(boxes, width, height) {
+  return new Float32Array(boxes.flatMap(([x0, y0, x1, y1]) => {
+    const [left, right] = [x0, x1].map((x) => 2 * x / width - 1), [low, high] = [height - y1, height - y0].map((y) => 2 * y / height - 1);
+    return [left, low, right, low, left, high, left, high, right, low, right, high];
+  }));
+}
+
+/// Draws on a canvas that lies over the first picture: where pictures differ, and elsewhere nothing.
+export class CyclePlayer {
+  #canvas;
+  #gl;
+  #weights = null;
+  #pictures = [];
+  #corners = 0;
+
+  /// Throws where the browser has no WebGL 2.
+  constructor(canvas) {
+    this.#canvas = canvas;
+    this.#gl = canvas.getContext('webgl2', {alpha: true, premultipliedAlpha: false, antialias: false, depth: false});
+    if (!this.#gl) throw new Error('this browser has no WebGL 2');
+    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    canvas.addEventListener('webglcontextrestored', () => this.#pictures.length > 0 && this.#upload());
+  }
+
+  /// The pictures of one cycle, in its order: ImageData of one size. Returns the boxes that are drawn: a transparent
+  /// picture below would be seen through them.
+  setPictures(pictures) {
+    this.#pictures = pictures;
+    return this.#upload();
+  }
+
+  #upload() {
+    const gl = this.#gl, pictures = this.#pictures, {width, height} = pictures[0];
+    if (pictures.length > gl.getParameter(gl.MAX_TEXTURE_IMAGE_UNITS)) throw new Error('more pictures than WebGL takes');
+    this.#canvas.width = width;
+    this.#canvas.height = height;
+    gl.viewport(0, 0, width, height);
+    const drawn = program(gl, pictures.length);
+    gl.useProgram(drawn);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, true);
+    pictures.forEach((picture, i) => {
+      gl.activeTexture(gl.TEXTURE0 + i);
+      gl.deleteTexture(gl.getParameter(gl.TEXTURE_BINDING_2D));
+      gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+      for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, width, height);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, picture);
+      gl.uniform1i(gl.getUniformLocation(drawn, `pictures[${i}]`), i);
+    });
+    gl.uniform2f(gl.getUniformLocation(drawn, 'texel'), 1 / width, 1 / height);
+    const boxes = flowingBoxes(pictures), corners = cornersOf(boxes, width, height);
+    this.#corners = corners.length / 2;
+    gl.deleteBuffer(gl.getParameter(gl.ARRAY_BUFFER_BINDING));
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, corners, gl.STATIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
+    this.#weights = gl.getUniformLocation(drawn, 'weights');
+    return boxes;
+  }
+
+  /// Draws the picture at a phase in turns.
+  draw(turns) {
+    const gl = this.#gl;
+    if (gl.isContextLost()) return;
+    gl.uniform1fv(this.#weights, cycleWeights(turns, this.#pictures.length));
+    gl.drawArrays(gl.TRIANGLES, 0, this.#corners);
+  }
+}
