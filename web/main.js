@@ -122,11 +122,14 @@ function tellOnce(warnings) {
   }
 }
 
-const keepInAddress = () => history.replaceState(null, '', `#${fragmentOf(model)}`);
+function keepInAddress() {
+  const fragment = `#${fragmentOf(model)}`;
+  if (location.hash !== fragment) history.replaceState(null, '', fragment);  // Browsers refuse it where it comes too often.
+}
 
 watchTheme((stageColor) => {
   model.pageBackground = stageColor;
-  if (model.scene && session.following === 0) session.pacer.settle();
+  if (model.scene && session.following === 0) model.emit('options', false);
 });
 stage.on('resize', () => {
   model.setAspect(stage.size.width / stage.size.height);

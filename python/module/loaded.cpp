@@ -10,6 +10,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/live.h"
+#include "description/camera.h"
 #include "description/idle_options.h"
 #include "description/option_names.h"
 #include "description/scene_json.h"
@@ -143,6 +144,9 @@ void Loaded::saveAnimation(const std::string& path, const py::object& progress)
         PictureFiles files(path, scene_, call);
         const int frames = drawnFor(path, scene_, call).output.frames;
         const bool asDescribed = frames == scene_.output.frames;
+        if (!asDescribed && (orbitDegOf(scene_) != 0 || scene_.time.range))
+            throw InputError(call, "found a cycle of streaks with orbit or time_range, and no frames",
+                             "frames=, so many pictures");
         Picture picture;
         for (int i = 0; i < frames; ++i) {
             report("frames", double(i) / frames);

@@ -70,10 +70,10 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     clock.time(stages::convolve, [&] {  // Noise along streams.
         if (!request.inCycle) return convolveFrame(lic, backend, group, frame.plan);
         convolveInCycle(lic, backend, group, frame.plan);
-        if (!again) group.cycle().hold(request.camera, lic, palette, frame.plan);
     });
     clock.time(stages::shade, [&] {  // LIC, light and colour to pixels.
         if (!again) backend.occlude(palette, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
+        if (request.inCycle) group.cycle().hold(request.camera, lic, palette, frame.plan);
         backend.shade(palette, rows.stripe, frame.tiles.stripe, group.edges(frame.plan, scene).get());
         frame.over.overlay = request.overlay;
         frame.over.view = view;

@@ -29,6 +29,9 @@ def test_gives_the_command_lines_bytes(tmp_path, name, options):
 
 def test_what_cannot_be_written_is_told_before_anything_is_drawn(tmp_path):
     renderer = aeolic.Renderer(**SMALL, frames=4)
+    turning = aeolic.Renderer(**SMALL, flow="loop", orbit=90)
+    with pytest.raises(aeolic.InputError, match="save_animation: found a cycle of streaks with orbit or time_range"):
+        turning.save_animation(tmp_path / "a.apng")
     for name, told in [("a.gif", "save_animation: found"), ("a.html", "save_animation: found a .html of pictures that are not one cycle"),
                        ("none/a.apng", "the folder")]:
         with pytest.raises(aeolic.InputError, match=told):

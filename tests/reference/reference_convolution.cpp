@@ -109,6 +109,22 @@ double kernelWeight(const LicOptions& lic, double i)
     return 0.5 * (1 + std::cos(std::numbers::pi * i / (lic.steps + 0.5) - lic.phase));
 }
 
+/// What brings a Hann kernel of another phase than 0 to the contrast of phase 0: from its squared weight between the
+/// ends of the streamline, given as parts of the kernel's length on either side.
+double phaseGain(const LicOptions& lic, double ahead, double behind)
+{
+    const auto squaredWeight = [&](double phase) {
+        constexpr int parts = 100;
+        double sum = 0;
+        for (int i = 0; i < parts; ++i) {
+            const double at = -behind + (ahead + behind) * (i + 0.5) / parts;
+            sum += std::pow(0.5 * (1 + std::cos(std::numbers::pi * at - phase)), 2);
+        }
+        return sum;
+    };
+    return std::min(std::sqrt(squaredWeight(0) / squaredWeight(lic.phase)), double(kMostPhaseGain));
+}
+
 }  // namespace
 
 std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int substeps)
@@ -121,6 +137,7 @@ std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int
             if (!origin.hasFlow) continue;
             const double own = std::max(std::hypot(origin.vx, origin.vy), double(kShortestOwnPx));
             double sum = kernelWeight(lic, 0) * own * origin.noise, length = own, squares = own;
+            double shares[2] = {};
             for (const int direction : {1, -1}) {
                 Trace t{double(x), double(y), x, y};
                 Sample at{origin.vx, origin.vy, origin.noise};
@@ -141,12 +158,14 @@ std::vector<double> convolve(const PixelImage& image, const LicOptions& lic, int
                 }
                 length += walked;
                 squares += 0.5 * walked * (1 + width);
+                shares[direction < 0] = std::min((walked + 0.5 * own) / (own * lic.steps), 1.0);
             }
             const double pixels = length * length / squares;
             const double gain =
                 std::pow(double(contrast.zeroLength) + pixels * pixels * double(contrast.perLength), 0.25);
             out[std::size_t(y) * std::size_t(image.width) + std::size_t(x)] =
-                gain * double(contrast.inverseMeanWeight) * sum / length;
+                gain * double(contrast.inverseMeanWeight) * sum / length *
+                (contrast.phased() ? phaseGain(lic, shares[0], shares[1]) : 1);
         }
     return out;
 }

@@ -83,11 +83,6 @@ export class Session extends Emitter {
     return frame.viewer === this.welcome?.viewer ? this.#sizes.get(frame.view) ?? null : null;
   }
 
-  /// Whether `frame` answers the newest own view.
-  isNewest(frame) {
-    return frame.viewer === this.welcome?.viewer && frame.view === this.#lastView;
-  }
-
   #sendView(isMoving) {
     const size = this.#stage.size;
     if (!this.#connection.isOpen || !this.welcome || !this.#model.camera || !size) return null;
@@ -100,7 +95,7 @@ export class Session extends Emitter {
     if (this.#sizes.size > KEPT_SIZES) this.#sizes.delete(this.#sizes.keys().next().value);
     this.#sent = this.#viewOf(isMoving);
     this.#connection.send(jsonMessage(Type.view, {view, ...this.#sent}));
-    this.emit('sent', isMoving);
+    this.emit('sent', isMoving, view);
     return view;
   }
 

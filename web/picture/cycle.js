@@ -71,6 +71,7 @@ function program(gl, count) {
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
     gl.attachShader(made, shader);
+    gl.deleteShader(shader);  // Once the program goes.
   }
   gl.bindAttribLocation(made, 0, 'corner');
   gl.linkProgram(made);
@@ -90,9 +91,13 @@ function cornersOf(boxes, width, height) {
 export class CyclePlayer {
   #canvas;
   #gl;
-  #weights = null;
+  #program = null;  // For #count pictures.
+  #count = 0;
   #pictures = [];
-  #corners = 0;
+  #boxes = [];
+  #textures = [];
+  #buffer = null;
+  #turns = 0;
 
   /// Throws where the browser has no WebGL 2.
   constructor(canvas) {
@@ -100,51 +105,71 @@ export class CyclePlayer {
     this.#gl = canvas.getContext('webgl2', {alpha: true, premultipliedAlpha: false, antialias: false, depth: false});
     if (!this.#gl) throw new Error('this browser has no WebGL 2');
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
-    canvas.addEventListener('webglcontextrestored', () => this.#pictures.length > 0 && this.#upload());
+    canvas.addEventListener('webglcontextrestored', () => {
+      this.#program = this.#buffer = null;  // They went with the context.
+      this.#textures = [];
+      if (this.#pictures.length === 0) return;
+      this.#upload();
+      this.draw(this.#turns);
+    });
   }
 
   /// The pictures of one cycle, in its order: ImageData of one size. Returns the boxes that are drawn: a transparent
-  /// picture below would be seen through them.
+  /// picture below would be seen through them. Throws where WebGL has no room for them.
   setPictures(pictures) {
+    this.clear();
     this.#pictures = pictures;
-    return this.#upload();
+    this.#boxes = flowingBoxes(pictures);
+    if (!this.#gl.isContextLost()) this.#upload();
+    return this.#boxes;
+  }
+
+  /// Lets go of the pictures, and of what the device has of them.
+  clear() {
+    for (const texture of this.#textures) this.#gl.deleteTexture(texture);
+    this.#pictures = this.#textures = this.#boxes = [];
   }
 
   #upload() {
     const gl = this.#gl, pictures = this.#pictures, {width, height} = pictures[0];
-    if (pictures.length > gl.getParameter(gl.MAX_TEXTURE_IMAGE_UNITS)) throw new Error('more pictures than WebGL takes');
+    if (pictures.length > gl.getParameter(gl.MAX_TEXTURE_IMAGE_UNITS)) throw new Error('WebGL takes fewer pictures at once');
+    if (Math.max(width, height) > gl.getParameter(gl.MAX_TEXTURE_SIZE)) throw new Error('the picture is larger than WebGL takes');
     this.#canvas.width = width;
     this.#canvas.height = height;
     gl.viewport(0, 0, width, height);
-    const drawn = program(gl, pictures.length);
-    gl.useProgram(drawn);
+    if (!this.#program || this.#count !== pictures.length) {
+      gl.deleteProgram(this.#program);
+      this.#program = program(gl, pictures.length);
+      this.#count = pictures.length;
+    }
+    gl.useProgram(this.#program);
+    const place = (name) => gl.getUniformLocation(this.#program, name);
     gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, true);
-    pictures.forEach((picture, i) => {
+    this.#textures = pictures.map((picture, i) => {
+      const texture = gl.createTexture();
       gl.activeTexture(gl.TEXTURE0 + i);
-      gl.deleteTexture(gl.getParameter(gl.TEXTURE_BINDING_2D));
-      gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+      gl.bindTexture(gl.TEXTURE_2D, texture);
       for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
       gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, width, height);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, picture);
-      gl.uniform1i(gl.getUniformLocation(drawn, `pictures[${i}]`), i);
+      gl.uniform1i(place(`pictures[${i}]`), i);
+      return texture;
     });
-    gl.uniform2f(gl.getUniformLocation(drawn, 'texel'), 1 / width, 1 / height);
-    const boxes = flowingBoxes(pictures), corners = cornersOf(boxes, width, height);
-    this.#corners = corners.length / 2;
-    gl.deleteBuffer(gl.getParameter(gl.ARRAY_BUFFER_BINDING));
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, corners, gl.STATIC_DRAW);
+    gl.uniform2f(place('texel'), 1 / width, 1 / height);
+    this.#buffer ??= gl.createBuffer();
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.#buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, cornersOf(this.#boxes, width, height), gl.STATIC_DRAW);
     gl.enableVertexAttribArray(0);
     gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
-    this.#weights = gl.getUniformLocation(drawn, 'weights');
-    return boxes;
+    if (gl.getError() === gl.OUT_OF_MEMORY) throw new Error('WebGL has no memory for the pictures');
   }
 
   /// Draws the picture at a phase in turns.
   draw(turns) {
     const gl = this.#gl;
-    if (gl.isContextLost()) return;
-    gl.uniform1fv(this.#weights, cycleWeights(turns, this.#pictures.length));
-    gl.drawArrays(gl.TRIANGLES, 0, this.#corners);
+    this.#turns = turns;
+    if (gl.isContextLost() || this.#pictures.length === 0) return;
+    gl.uniform1fv(gl.getUniformLocation(this.#program, 'weights'), cycleWeights(turns, this.#pictures.length));
+    gl.drawArrays(gl.TRIANGLES, 0, 6 * this.#boxes.length);
   }
 }

@@ -30,6 +30,11 @@ export class Frames extends Emitter {
     for (const [x0, y0, x1, y1] of boxes) this.#context.clearRect(x0, y0, x1 - x0, y1 - y0);
   }
 
+  /// Puts a picture of the same size back on the screen.
+  put(image) {
+    this.#context.putImageData(image, 0, 0);
+  }
+
   constructor(canvas, decode = decodeTile) {
     super();
     this.#canvas = canvas;

@@ -20,6 +20,7 @@ function download(blob, name) {
 /// The scene file that draws what `model` shows at `size` pixels. A camera is absolute in it.
 export function sceneFile(model, size) {
   const {scene} = model.scene, {camera, lic, shading} = model.viewGroups(false);
+  if (lic.flow === 'loop') lic.phase = model.options.lic.phase;  // Where the cycle begins, not where it is.
   return {version: 1, ...scene, lic: {...scene.lic, ...lic}, shading: {...scene.shading, ...shading}, camera,
           output: {width: size.width, height: size.height}};
 }

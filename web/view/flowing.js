@@ -15,6 +15,10 @@ export class Flowing {
   #makePlayer;
   #player = null;
   #pictures = [];
+  #asked = 0;      // The view whose picture is the next of the cycle; 0: none is asked for.
+  #lastTaken = 0;  // The newest view that gave one.
+  #isRedrawn = false;  // The scene is another since the last View, whose picture comes once more.
+  #isCleared = false;  // The picture below has holes where streaks flow.
   #turns = 0;
   #lastMs = 0;
 
@@ -24,10 +28,13 @@ export class Flowing {
     this.#canvas = canvas;
     this.#makePlayer = makePlayer;
     const {model, frames, stage, session} = page, again = () => this.#startAgain();
-    model.on('camera', again).on('options', again).on('scene', again);
+    model.on('camera', again).on('options', again).on('scene', () => {
+      this.#startAgain();
+      this.#isRedrawn = true;
+    });
     stage.on('resize', again);
-    session.on('following', again).on('sent', (isMoving) => isMoving && again());
-    frames.on('drawn', (frame) => !frame.lossless && again()).on('shown', (frame) => this.#take(frame));
+    session.on('following', (viewer) => viewer !== 0 && again()).on('sent', (isMoving, view) => this.#sent(isMoving, view));
+    frames.on('drawn', (frame) => this.#drawn(frame)).on('shown', (frame) => this.#take(frame));
   }
 
   get isRunning() {
@@ -43,20 +50,42 @@ export class Flowing {
   }
 
   #startAgain() {
+    if (this.#isCleared) this.#page.frames.put(this.#pictures.at(-1));
+    if (this.isPlaying) this.#player.clear();
     this.#pictures = [];
-    this.isPlaying = false;
+    this.#asked = 0;
+    this.#isCleared = this.isPlaying = false;
     this.#canvas.hidden = true;
     this.#page.model.flowStep = 0;
   }
 
+  #sent(isMoving, view) {
+    if (isMoving || this.isPlaying) this.#startAgain();  // What is asked for at rest while they flow is another first one.
+    if (!isMoving && this.isRunning) this.#asked = view;
+    this.#isRedrawn = false;
+  }
+
+  #drawn(frame) {
+    this.#isCleared = false;
+    if (!frame.lossless) this.#startAgain();
+  }
+
   #take(frame) {
-    const {model, session} = this.#page;
-    if (!this.isRunning || this.isPlaying || !frame.lossless || !frame.pixels || !session.isNewest(frame)) return;
-    const first = this.#pictures[0], step = model.flowStep;
-    if (step !== this.#pictures.length || first && (first.width !== frame.width || first.height !== frame.height)) return;
+    const {model, session} = this.#page, isOwn = frame.viewer === session.welcome?.viewer;
+    if (!this.isRunning || !isOwn || !frame.lossless || session.following !== 0) return;
+    if (frame.view <= this.#lastTaken || this.#isRedrawn) {  // It was drawn again: the data are others.
+      this.#startAgain();
+      this.#lastTaken = Math.max(frame.view, this.#lastTaken);
+      return session.pacer.settle();
+    }
+    if (frame.view !== this.#asked || !frame.pixels) return;
+    this.#asked = 0;
+    this.#lastTaken = frame.view;
+    const first = this.#pictures[0];
+    if (first && (first.width !== frame.width || first.height !== frame.height)) return this.#startAgain();
     this.#pictures.push(new ImageData(frame.pixels, frame.width, frame.height));
     if (this.#pictures.length === FLOW_PICTURES) return this.#play();
-    model.flowStep = step + 1;
+    model.flowStep = this.#pictures.length;
     session.pacer.settle();
   }
 
@@ -65,7 +94,8 @@ export class Flowing {
     try {
       this.#player ??= this.#makePlayer(this.#canvas);
       const boxes = this.#player.setPictures(this.#pictures);
-      if (model.background === 'transparent') frames.clear(boxes);  // One would see through what flows.
+      this.#isCleared = model.background === 'transparent';
+      if (this.#isCleared) frames.clear(boxes);  // One would see through what flows.
     } catch (error) {
       model.setFlows(false);
       return this.#page.tell(`The streaks cannot flow here: ${error.message}.`);
@@ -73,6 +103,7 @@ export class Flowing {
     this.#canvas.style.cssText = frames.canvas.style.cssText;
     this.#canvas.hidden = false;
     this.isPlaying = true;
+    model.flowStep = 0;
     this.#turns = (FLOW_PICTURES - 1) / FLOW_PICTURES;  // The picture that is on the screen.
     this.#lastMs = performance.now();
     this.#player.draw(this.#turns);

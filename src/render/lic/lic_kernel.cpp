@@ -100,8 +100,14 @@ ContrastModel makeContrastModel(const LicOptions& lic)
         isOriented ? grains::kTexelPx / lic.noiseScale : std::hypot(0.668, 0.952 * std::pow(lic.noiseScale, -1.34));
     const double skipped = (isOriented ? 0.3 : 0.506) * lic.step;
     const double inverseB = variance * std::sqrt(std::hypot(grain * grain, skipped * skipped));
-    return {float(1 / (variance * variance)), float(1 / (inverseB * inverseB * spread * spread)),
-            float((isOriented ? kGrainContrast : 1) / kernel.meanWeight)};
+    ContrastModel model{float(1 / (variance * variance)), float(1 / (inverseB * inverseB * spread * spread)),
+                        float((isOriented ? kGrainContrast : 1) / kernel.meanWeight)};
+    if (kernel.shape == KernelModel::Shape::hann) {
+        model.phaseCosine = kernel.ofFirst;
+        model.phaseSine = kernel.ofSecond;
+        model.perStep = 1.0f / float(lic.steps);
+    }
+    return model;
 }
 
 }  // namespace aeolic

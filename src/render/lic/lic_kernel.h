@@ -78,11 +78,22 @@ std::vector<Turn> turnsOf(const KernelModel& kernel, float sign);
 /// (KernelModel::concentration). E = (sum w ds)^2 / sum w^2 ds is as many pixels of full weight as vary as much. A
 /// direction of length L_k whose weight is W_k at its end has sum w^2 ds = L_k (1 + W_k) / 2, which is exact for
 /// constant weights and for those that fall exponentially.
+///
+/// A Hann kernel whose phase is not 0 has its weight elsewhere. Where streamlines are shorter than the kernel there is
+/// less of it, or next to nothing, and streaks that flow would fade and come back. So the value is multiplied by
+/// sqrt(V(0) / V(phase)), where V is the kernel's squared weight between the ends: L_k / (own step * steps) of the way
+/// to either end of the kernel. It is 1 where the kernel is whole.
 struct ContrastModel {
-    float zeroLength;         ///< a^2
-    float perLength;          ///< (b / f)^2, pixels^-2
-    float inverseMeanWeight;  ///< Of the kernel; of oriented streaks, less a little contrast.
+    float zeroLength;                      ///< a^2
+    float perLength;                       ///< (b / f)^2, pixels^-2
+    float inverseMeanWeight;               ///< Of the kernel; of oriented streaks, less a little contrast.
+    float phaseCosine = 1, phaseSine = 0;  ///< Of a Hann kernel's phase.
+    float perStep = 0;                     ///< 1 / steps
+
+    bool phased() const { return phaseCosine != 1; }
 };
+/// The greatest gain for a phase: beyond, the few weights left show how sums were rounded.
+inline constexpr float kMostPhaseGain = 4;
 
 /// The starting pixel's own sample has at least this length: without flow it shows its own noise.
 inline constexpr float kShortestOwnPx = 1.0f / 16;

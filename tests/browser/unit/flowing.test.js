@@ -14,29 +14,33 @@ let ticks = [], nowMs = 0;
 globalThis.requestAnimationFrame = (tick) => ticks.push(tick);
 performance.now = () => nowMs;
 
-let model, frames, session, stage, flowing, canvas, player, settled, told, newest;
+let model, frames, session, stage, flowing, canvas, player, settled, told, view;
 
 class Player {
   drawn = [];
   setPictures(pictures) { this.pictures = pictures; return [[0, 0, 2, 2]]; }
+  clear() { this.isClear = true; }
   draw(turns) { this.drawn.push(turns); }
 }
 
 beforeEach(() => {
-  [ticks, nowMs, settled, told, newest] = [[], 1000, 0, [], 0];
+  [ticks, nowMs, settled, told, view] = [[], 1000, 0, [], 0];
   model = new Model();
   model.setAspect(1);
   model.setScene(sceneMessage());
-  frames = Object.assign(new Emitter(), {canvas: {style: {cssText: 'left: 1px'}}, cleared: [], clear(boxes) { this.cleared.push(...boxes); }});
-  session = Object.assign(new Emitter(), {pacer: {settle: () => ++settled}, isNewest: ({view}) => view === newest});
+  frames = Object.assign(new Emitter(), {canvas: {style: {cssText: 'left: 1px'}}, cleared: [], clear(boxes) { this.cleared.push(...boxes); },
+                                         put(image) { this.back = image.data[0]; }});
+  session = Object.assign(new Emitter(), {welcome: {viewer: 1}, following: 0, pacer: {settle() { ++settled; sent(); }}});
   [stage, canvas, player] = [new Emitter(), {style: {}, hidden: true}, new Player()];
   flowing = new Flowing({model, frames, stage, session, tell: (text) => told.push(text)}, canvas, () => player);
 });
 
-// A picture at rest is on the screen.
-function shown(view, {width = 4, lossless = true} = {}) {
-  newest = view;
-  const frame = {view, width, height: 4, lossless, pixels: new Uint8ClampedArray(width * 16).fill(view)};
+// A View at rest goes to the server.
+const sent = () => session.emit('sent', false, ++view);
+
+// The picture of that view is on the screen.
+function shown(of = view, {width = 4, lossless = true, viewer = 1, value = of} = {}) {
+  const frame = {view: of, viewer, width, height: 4, lossless, pixels: new Uint8ClampedArray(width * 16).fill(value)};
   frames.emit('drawn', frame);
   frames.emit('shown', frame);
 }
@@ -44,15 +48,20 @@ function shown(view, {width = 4, lossless = true} = {}) {
 const wanted = () => model.viewGroups(false).lic;
 const step = () => Math.round(wanted().phase / (2 * Math.PI) * FLOW_PICTURES);
 
-function fill(from = 1) {
+function start() {
+  flowing.run(true);
+  sent();
+}
+
+function fill() {
   for (let i = 0; i < FLOW_PICTURES; ++i) {
     assert.equal(step(), i);
-    shown(from + i);
+    shown();
   }
 }
 
 test('asks for the pictures of a cycle one after the other, then plays them and asks for none', () => {
-  flowing.run(true);
+  start();
   fill();
   assert.equal(settled, FLOW_PICTURES - 1);
   assert.equal(flowing.isPlaying, true);
@@ -73,11 +82,13 @@ for (const [what, happens] of [
   ['an option changes', () => model.setOption('shading', 'contrast', 0.5)],
   ['the scene changes', () => model.setScene(sceneMessage())],
   ['the window changes', () => stage.emit('resize')],
-  ['one follows another viewer', () => session.emit('following', 3)],
+  ['one follows another viewer', () => { session.following = 3; session.emit('following', 3); }],
   ['a picture in motion comes', () => frames.emit('drawn', {lossless: false})],
+  ['another View at rest is sent', () => sent()],
+  ['a picture comes again, as data were renewed', () => shown()],
 ])
   test(`ends where ${what}, and begins again at rest`, () => {
-    flowing.run(true);
+    start();
     fill();
     happens();
     assert.equal(flowing.isPlaying, false);
@@ -85,37 +96,80 @@ for (const [what, happens] of [
     const {length} = player.drawn;
     for (const tick of ticks.splice(0)) tick(nowMs += 16);
     assert.equal(player.drawn.length, length, 'nothing is drawn any more');
-    fill(20);
+    session.following = 0;
+    sent();
+    fill();
     assert.equal(flowing.isPlaying, true);
   });
 
 test('a change on the way throws away what came before it', () => {
-  flowing.run(true);
-  shown(1);
-  shown(2);
+  start();
+  shown();
+  shown();
   model.setOption('lic', 'seed', 7);
-  fill(10);
-  assert.equal(player.pictures[0].data[0], 10);
+  shown();  // It was on its way.
+  sent();
+  fill();
+  assert.equal(player.pictures[0].data[0], view - FLOW_PICTURES + 1);
 });
 
-test('old pictures, those of others, with loss, or of another size are none of the cycle', () => {
-  flowing.run(true);
+test('a picture that comes again on the way begins the cycle anew, once', () => {
+  start();
+  shown();
+  shown();
+  shown(view - 1, {value: 99});
+  assert.equal(step(), 0);
+  fill();
+  assert.ok(player.pictures.every(({data}) => data[0] !== 99));
+});
+
+test('pictures from before, with loss, of others, or while one follows are none of the cycle', () => {
+  model.setFlows(false);
+  sent();
+  start();
   shown(1);
-  frames.emit('shown', {view: 0, width: 4, height: 4, lossless: true, pixels: new Uint8ClampedArray(64)});
-  shown(2, {width: 5});
-  assert.equal(step(), 1);
+  shown(view, {lossless: false});
+  sent();
+  shown(view, {viewer: 2});
+  session.following = 2;
+  shown();
+  session.following = 0;
+  assert.equal(settled, 0);
+  fill();
+});
+
+for (const before of [0, 3])
+  test(`a scene that changes when ${before} pictures are here: the server draws the last view again, and a cycle follows`, () => {
+    start();
+    for (let i = 0; i < before; ++i) shown();
+    model.setScene(sceneMessage());
+    shown();
+    fill();
+    assert.equal(flowing.isPlaying, true);
+  });
+
+test('goes on while the server is away, and begins again when it is back', () => {
+  start();
+  fill();
+  session.emit('following', 0);
+  assert.equal(flowing.isPlaying, true);
+  model.setScene(sceneMessage());
+  assert.equal(flowing.isPlaying, false);
+  assert.equal(player.isClear, true);
 });
 
 test('below flowing pixels a transparent picture is taken away', () => {
   model.setOption('shading', 'background', 'transparent');
-  flowing.run(true);
+  start();
   fill();
   assert.deepEqual(frames.cleared, [[0, 0, 2, 2]]);
+  model.moveCamera({...model.camera, position: [9, 9, 9]});
+  assert.equal(frames.back, view, 'the last picture is whole again');
 });
 
 test('without WebGL the streaks stand, and a person hears why', () => {
   player.setPictures = () => { throw new Error('this browser has no WebGL 2'); };
-  flowing.run(true);
+  start();
   fill();
   assert.equal(flowing.isRunning, false);
   assert.match(told[0], /no WebGL 2/);

@@ -17,6 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 struct Sums {
     VF noise, lengthPx, effectivePx;
+    VF own, down, up;  // The parts of lengthPx.
 };
 
 // The vectors of a cell with the sign that is nearer to v's. The negative of a fine vector's word is the word of its
@@ -126,7 +127,8 @@ HWY_INLINE Sums follow(const GBuffer& buffer, const Cells& flow, const LinkImage
     down.count(noise);
     up.count(noise);
     const VF lengthPx = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));
-    return {noise, lengthPx, effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width)};
+    const VF effective = effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width);
+    return {noise, lengthPx, effective, own, down.lengthPx, up.lengthPx};
 }
 
 template <Integrator integrator, bool axial, class Cells>
@@ -145,9 +147,9 @@ void convolveRow(const GBuffer& buffer, const Cells& flow, const KernelWeights& 
             continue;
         }
         const Sums sums = follow<integrator, axial>(buffer, flow, links, start, kernel, streaks);
-        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active),
-                                      licValue(sums.noise, sums.lengthPx, sums.effectivePx, contrast)),
-                   d, out.row(y) + x);
+        VF value = licValue(sums.noise, sums.lengthPx, sums.effectivePx, contrast);
+        if (contrast.phased()) value = hn::Mul(value, phaseGain(sums.own, sums.down, sums.up, contrast));
+        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), value), d, out.row(y) + x);
     }
 }
 

@@ -126,8 +126,10 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
         const VF length = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));
         const VF effective = effectivePixels(length, own, down.lengthPx, down.width, up.lengthPx, up.width);
         const auto active = hn::RebindMask(d, hn::Ne(hn::LoadU(du, buffer.flow.origin() + at), hn::Zero(du)));
-        hn::StoreU(hn::IfThenElseZero(active, licValue(sum, length, effective, pass.contrast)), d,
-                   pass.out->row(y) + x);
+        VF value = licValue(sum, length, effective, pass.contrast);
+        if (kWeighted && pass.contrast.phased())
+            value = hn::Mul(value, phaseGain(own, down.lengthPx, up.lengthPx, pass.contrast));
+        hn::StoreU(hn::IfThenElseZero(active, value), d, pass.out->row(y) + x);
     };
     for (int y = tile.y0; y < tile.y1; ++y)
         forEachVector(buffer, surfaceOf(buffer, tile, y), finishVector, [&](std::ptrdiff_t, int x, int) AEOLIC_INLINE {

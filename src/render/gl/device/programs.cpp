@@ -79,6 +79,7 @@ const std::string& constants()
         add("kWidthOne", jump_word::kWidthOne);
         add("kJumpLevels", JumpBlock::kLevels);
         add("kShortestOwnPx", kShortestOwnPx);
+        add("kMostPhaseGain", kMostPhaseGain);
         add("kNearTile", kNearTile);
         add("kRowOfTiles", std::uint32_t(kRowOfTiles));
         add("kNoiseSize", int(NoisePyramid::kSize));

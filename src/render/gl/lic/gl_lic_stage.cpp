@@ -18,6 +18,7 @@ void setContrast(GLuint program, const LicOptions& lic)
 {
     const ContrastModel model = makeContrastModel(lic);
     glProgramUniform3f(program, 2, model.zeroLength, model.perLength, flow_texel::kNoiseUnit * model.inverseMeanWeight);
+    glProgramUniform3f(program, 5, model.phaseCosine, model.phaseSine, model.perStep);
 }
 
 void makeFlowCells(const ConvolvePass& pass, float sharpness, int y0, int y1)

@@ -68,5 +68,5 @@ void main()
         }
     precise float lengthPx = own + (walked[0] + walked[1]);
     float effectivePx = effectivePixels(lengthPx, own, walked[0], width[0], walked[1], width[1]);
-    imageStore(licImage, pixel, vec4(licValue(sum, lengthPx, effectivePx)));
+    imageStore(licImage, pixel, vec4(licValue(sum, lengthPx, effectivePx) * phaseGain(own, walked[0], walked[1])));
 }

@@ -46,5 +46,5 @@ void main()
     sum = fma(own * kernel.z, origin.noise, sum);
     precise float lengthPx = own + (down.lengthPx + up.lengthPx);
     float effectivePx = effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width);
-    imageStore(licImage, pixel, vec4(licValue(sum, lengthPx, effectivePx)));
+    imageStore(licImage, pixel, vec4(licValue(sum, lengthPx, effectivePx) * phaseGain(own, down.lengthPx, up.lengthPx)));
 }

@@ -101,8 +101,13 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view, bool isM
     request.view = view.view;
     request.askedWidth = std::uint32_t(view.width);
     request.scene = withView(scene_, fromHome(view, viewOfScene_), scaled(view.width), scaled(view.height));
+    LicOptions& lic = request.scene.lic;
+    if (isMoving && lic.flow == FlowMotion::loop) {  // A cycle takes the work of three pictures.
+        lic.flow = FlowMotion::off;
+        lic.kernel = Kernel::hann;
+    }
     // Steps are lengths in pixels: in a smaller picture shorter ones give streaks as long as in the full one.
-    request.scene.lic.steps = std::max(1, int(std::lround(request.scene.lic.steps * scale)));
+    lic.steps = std::max(1, int(std::lround(lic.steps * scale)));
     ShadingOptions& shading = request.scene.shading;
     shading.textScale = textScaleOfSmaller(shading.textScale, request.scene.output.width, request.scene.output.height,
                                            view.width, view.height);
