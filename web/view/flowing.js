@@ -67,7 +67,9 @@ export class Flowing {
 
   #drawn(frame) {
     this.#isCleared = false;
-    if (!frame.lossless) this.#startAgain();
+    if (frame.lossless || this.#pictures.length === 0) return;  // One of a move before may come late.
+    this.#startAgain();
+    this.#isRedrawn = true;  // The scene moves, and the last view comes once more when it rests.
   }
 
   #take(frame) {

@@ -138,6 +138,26 @@ test('pictures from before, with loss, of others, or while one follows are none 
   fill();
 });
 
+test('a picture in motion that comes late does not stop the cycle', () => {
+  start();
+  model.moveCamera({...model.camera, position: [9, 9, 9]});
+  session.emit('sent', true, ++view);
+  sent();
+  shown(view - 1, {lossless: false});
+  fill();
+  assert.equal(flowing.isPlaying, true);
+});
+
+test('where the scene moved while a cycle was on its way, the picture at rest begins another', () => {
+  start();
+  shown();
+  shown();
+  shown(view, {lossless: false});
+  shown();
+  fill();
+  assert.equal(flowing.isPlaying, true);
+});
+
 for (const before of [0, 3])
   test(`a scene that changes when ${before} pictures are here: the server draws the last view again, and a cycle follows`, () => {
     start();
