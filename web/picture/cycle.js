@@ -3,18 +3,19 @@
 // polynomial through them, and the last one leads on to the first. WebGL draws it at the screen's rate.
 
 const VERTEX = `#version 300 es
-in vec2 corner;
-void main() { gl_Position = vec4(corner, 0.0, 1.0); }`;
+in vec2 place;
+void main() { gl_Position = vec4(place, 0.0, 1.0); }`;
 
 // Without a GPU texture() is faster than texelFetch().
 const fragment = (count) => `#version 300 es
 precision highp float;
 uniform vec2 texel;
+uniform vec2 corner;
 uniform sampler2D pictures[${count}];
 uniform float weights[${count}];
 out vec4 color;
 void main() {
-  vec2 at = gl_FragCoord.xy * texel;
+  vec2 at = (gl_FragCoord.xy + corner) * texel;
   color = vec4(0.0);
 ${Array.from({length: count}, (_, i) => `  color += weights[${i}] * texture(pictures[${i}], at);`).join('\n')}
 }`;
@@ -64,6 +65,9 @@ export function flowingBoxes(pictures) {
   return boxes;
 }
 
+// What holds all boxes.
+const around = (boxes) => boxes.length === 0 ? [0, 0, 1, 1] : [0, 1, 2, 3].map((i) => (i < 2 ? Math.min : Math.max)(...boxes.map((box) => box[i])));
+
 function program(gl, count) {
   const made = gl.createProgram();
   for (const [type, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, fragment(count)]]) {
@@ -73,7 +77,7 @@ function program(gl, count) {
     gl.attachShader(made, shader);
     gl.deleteShader(shader);  // Once the program goes.
   }
-  gl.bindAttribLocation(made, 0, 'corner');
+  gl.bindAttribLocation(made, 0, 'place');
   gl.linkProgram(made);
   if (!gl.getProgramParameter(made, gl.LINK_STATUS) && !gl.isContextLost()) throw new Error(gl.getProgramInfoLog(made) || 'WebGL has no program');
   return made;
@@ -87,8 +91,10 @@ function cornersOf(boxes, width, height) {
   }));
 }
 
-/// Draws on a canvas that lies over the first picture: where pictures differ, and elsewhere nothing.
+/// Draws on a canvas that lies over the first picture: where pictures differ, and elsewhere nothing. The canvas is as large
+/// as `bounds`, a box [x0, y0, x1, y1] of the picture's pixels.
 export class CyclePlayer {
+  bounds = [0, 0, 1, 1];
   #canvas;
   #gl;
   #program = null;  // For #count pictures.
@@ -120,6 +126,7 @@ export class CyclePlayer {
     this.clear();
     this.#pictures = pictures;
     this.#boxes = flowingBoxes(pictures);
+    this.bounds = around(this.#boxes);
     if (!this.#gl.isContextLost()) this.#upload();
     return this.#boxes;
   }
@@ -134,9 +141,10 @@ export class CyclePlayer {
     const gl = this.#gl, pictures = this.#pictures, {width, height} = pictures[0];
     if (pictures.length > gl.getParameter(gl.MAX_TEXTURE_IMAGE_UNITS)) throw new Error('WebGL takes fewer pictures at once');
     if (Math.max(width, height) > gl.getParameter(gl.MAX_TEXTURE_SIZE)) throw new Error('the picture is larger than WebGL takes');
-    this.#canvas.width = width;
-    this.#canvas.height = height;
-    gl.viewport(0, 0, width, height);
+    const [x0, y0, x1, y1] = this.bounds;
+    this.#canvas.width = x1 - x0;
+    this.#canvas.height = y1 - y0;
+    gl.viewport(-x0, y1 - height, width, height);
     if (!this.#program || this.#count !== pictures.length) {
       gl.deleteProgram(this.#program);
       this.#program = program(gl, pictures.length);
@@ -156,6 +164,7 @@ export class CyclePlayer {
       return texture;
     });
     gl.uniform2f(place('texel'), 1 / width, 1 / height);
+    gl.uniform2f(place('corner'), x0, height - y1);
     this.#buffer ??= gl.createBuffer();
     gl.bindBuffer(gl.ARRAY_BUFFER, this.#buffer);
     gl.bufferData(gl.ARRAY_BUFFER, cornersOf(this.#boxes, width, height), gl.STATIC_DRAW);

@@ -102,7 +102,7 @@ export class Flowing {
       model.setFlows(false);
       return this.#page.tell(`The streaks cannot flow here: ${error.message}.`);
     }
-    this.#canvas.style.cssText = frames.canvas.style.cssText;
+    this.#place();
     this.#canvas.hidden = false;
     this.isPlaying = true;
     model.flowStep = 0;
@@ -110,6 +110,17 @@ export class Flowing {
     this.#lastMs = performance.now();
     this.#player.draw(this.#turns);
     requestAnimationFrame((nowMs) => this.#step(nowMs));
+  }
+
+  // Over the same pixels of the picture.
+  #place() {
+    const {canvas} = this.#page.frames, [x0, y0, x1, y1] = this.#player.bounds, {style} = this.#canvas;
+    const px = (name) => parseFloat(canvas.style[name]), scaleX = px('width') / canvas.width, scaleY = px('height') / canvas.height;
+    style.left = `${px('left') + x0 * scaleX}px`;
+    style.top = `${px('top') + y0 * scaleY}px`;
+    style.width = `${(x1 - x0) * scaleX}px`;
+    style.height = `${(y1 - y0) * scaleY}px`;
+    style.imageRendering = canvas.style.imageRendering;
   }
 
   #step(nowMs) {

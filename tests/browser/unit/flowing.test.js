@@ -17,6 +17,7 @@ performance.now = () => nowMs;
 let model, frames, session, stage, flowing, canvas, player, settled, told, view;
 
 class Player {
+  bounds = [1, 0, 4, 2];
   drawn = [];
   setPictures(pictures) { this.pictures = pictures; return [[0, 0, 2, 2]]; }
   clear() { this.isClear = true; }
@@ -28,7 +29,7 @@ beforeEach(() => {
   model = new Model();
   model.setAspect(1);
   model.setScene(sceneMessage());
-  frames = Object.assign(new Emitter(), {canvas: {style: {cssText: 'left: 1px'}}, cleared: [], clear(boxes) { this.cleared.push(...boxes); },
+  frames = Object.assign(new Emitter(), {canvas: {width: 4, height: 4, style: {left: '1px', top: '3px', width: '8px', height: '8px', imageRendering: 'auto'}}, cleared: [], clear(boxes) { this.cleared.push(...boxes); },
                                          put(image) { this.back = image.data[0]; }});
   session = Object.assign(new Emitter(), {welcome: {viewer: 1}, following: 0, pacer: {settle() { ++settled; sent(); }}});
   [stage, canvas, player] = [new Emitter(), {style: {}, hidden: true}, new Player()];
@@ -66,7 +67,7 @@ test('asks for the pictures of a cycle one after the other, then plays them and 
   assert.equal(settled, FLOW_PICTURES - 1);
   assert.equal(flowing.isPlaying, true);
   assert.equal(canvas.hidden, false);
-  assert.equal(canvas.style.cssText, 'left: 1px');
+  assert.deepEqual(canvas.style, {left: '3px', top: '3px', width: '6px', height: '4px', imageRendering: 'auto'});
   assert.deepEqual(player.pictures.map(({data}) => data[0]), [1, 2, 3, 4, 5, 6, 7, 8]);
   assert.deepEqual(frames.cleared, []);
   nowMs += 40;
