@@ -19,7 +19,7 @@ void PhaseMixer::mix(const GBuffer& buffer, const std::array<float, phase_mix::k
     static_assert(phase_mix::kPhases == 3);
     const Extent& rows = kept_[0].valid();
     values.resize(rows);
-    const auto [a, b, c] = weights;
+    const float a = weights[0], b = weights[1], c = weights[2];
     parallelRanges(std::size_t(rows.empty() ? 0 : rows.height()), 16, [&](std::size_t begin, std::size_t end) {
         for (int y = rows.y0 + int(begin); y < rows.y0 + int(end); ++y) {
             const ColumnSpan& columns = buffer.surfaceColumns(y);
