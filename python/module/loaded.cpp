@@ -147,26 +147,25 @@ void Loaded::saveAnimation(const std::string& path, const py::object& progress)
         if (!asDescribed && (orbitDegOf(scene_) != 0 || scene_.time.range))
             throw InputError(call, "found a cycle of streaks with orbit or time_range, and no frames",
                              "frames=, so many pictures");
+        const auto draw = [&](int i, Picture kept) -> Picture {
+            if (asDescribed) return renderer_->render({AnimationFrame{i}}, std::move(kept));
+            LicOptions lic = scene_.lic;  // A cycle of another length: the camera stands.
+            lic.phase += 2 * std::numbers::pi * i / frames;
+            renderer_->setLic(lic);
+            return renderer_->render({scene_.camera}, std::move(kept));
+        };
         Picture picture;
-        for (int i = 0; i < frames; ++i) {
-            report("frames", double(i) / frames);
-            if (asDescribed) {
-                picture = renderer_->render({AnimationFrame{i}}, std::move(picture));
-            } else {  // A cycle of another length: the camera stands.
-                LicOptions lic = scene_.lic;
-                lic.phase += 2 * std::numbers::pi * i / frames;
-                renderer_->setLic(lic);
-                const auto back = [&] { renderer_->setLic(scene_.lic); };
-                try {
-                    picture = renderer_->render({scene_.camera}, std::move(picture));
-                } catch (...) {
-                    back();
-                    throw;
-                }
-                back();
+        try {
+            for (int i = 0; i < frames; ++i) {
+                report("frames", double(i) / frames);
+                picture = draw(i, std::move(picture));
+                files.write(picture);
             }
-            files.write(picture);
+        } catch (...) {
+            renderer_->setLic(scene_.lic);
+            throw;
         }
+        renderer_->setLic(scene_.lic);
         files.complete();
     });
 }

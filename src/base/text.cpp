@@ -63,4 +63,23 @@ std::size_t characterStart(std::string_view text, std::size_t at)
     return at;
 }
 
+std::string xmlText(const std::string& text)
+{
+    std::string out;
+    for (const char c : withoutControls(text)) switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
+        }
+    return out;
+}
+
 }  // namespace aeolic

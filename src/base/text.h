@@ -26,6 +26,9 @@ std::string withoutControls(std::string text, char instead = ' ');
 /// The text with spaces in place of tabs and ends of lines.
 std::string withSpaces(std::string text);
 
+/// Text as it stands in XML and HTML, between tags or in double quotes, without control characters.
+std::string xmlText(const std::string& text);
+
 /// The next character of UTF-8 `text` at `at`, which moves past it. Nothing for cut and overlong sequences and for
 /// surrogates.
 std::optional<char32_t> nextCharacter(std::string_view text, std::size_t& at);

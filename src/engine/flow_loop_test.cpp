@@ -183,8 +183,10 @@ TEST_P(FlowLoop, SumsAreKeptWhereTheCameraStands)
     Renderer renderer(scene());
     frame(renderer, 0);
     const std::int64_t covered = renderer.lastFrame().coveredPixels;
+    const double threePhasesMs = renderer.lastFrame().convolveMs;
     frame(renderer, 1);
     EXPECT_EQ(renderer.lastFrame().coveredPixels, covered);
+    EXPECT_LT(renderer.lastFrame().convolveMs, 0.5 * threePhasesMs);  // Nothing is convolved again.
     EXPECT_GT(covered, 1000);
 }
 

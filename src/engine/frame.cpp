@@ -24,7 +24,8 @@ void convolveFrame(const LicOptions& lic, Backend& backend, FrameGroup& group, F
     backend.flatten(lic, stripe, group.beside(plan).get(), plan.edgeRows);
 }
 
-/// The same for a frame of a cycle: the phases that are kept, or what is left of them from the frame before.
+/// The LIC stage of a frame that belongs to a cycle: its values are mixed from three phases. These are convolved where
+/// the backend does not hold them from the frame before.
 void convolveInCycle(const LicOptions& lic, Backend& backend, FrameGroup& group, FramePlan& plan)
 {
     for (int i = 0; !plan.again && i < phase_mix::kPhases; ++i) {

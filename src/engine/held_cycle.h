@@ -22,7 +22,7 @@ public:
     /// The backend is used for something else, or the scene changed.
     void forget() { frame_.reset(); }
 
-    /// Of the frame that is held.
+    /// The plan by which the frame was drawn that the backend holds.
     const FramePlan& plan() const { return frame_->plan; }
 
 private:

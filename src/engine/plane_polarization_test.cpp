@@ -22,7 +22,7 @@ double percentAlike(const std::vector<float>& a, const std::vector<float>& b)
     return 100.0 * double(same) / double(a.size());
 }
 
-/// The same flow with signs by chance, as angles of polarization come.
+/// `flow` with the sign of each vector chosen by chance. Angles of polarization make such vectors.
 TEST(PlaneLic, PolarizationHasNoSigns)
 {
     for (const Streaks streaks : {Streaks::even, Streaks::plain})

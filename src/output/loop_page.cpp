@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include "base/embedded_file.h"
+#include "base/text.h"
 #include "output/animation.h"
 #include "output/new_file.h"
 #include "output/webp.h"
@@ -30,25 +33,6 @@ std::string base64(const std::string& bytes)
     return text;
 }
 
-std::string escaped(std::string_view text)
-{
-    std::string safe;
-    for (const char c : text) switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            default:
-                safe += c;
-        }
-    return safe;
-}
-
 /// A page that stands alone: the pictures of one cycle, and what plays them in a browser (web/picture/cycle.js).
 class LoopPage : public Animation {
 public:
@@ -64,7 +48,7 @@ public:
     void complete() override
     {
         const std::pair<std::string_view, std::string> values[] = {
-            {"@TITLE@", escaped(plan_.title)},
+            {"@TITLE@", xmlText(plan_.title)},
             {"@BACKGROUND@", plan_.background == "transparent" ? plan_.background : "#" + plan_.background},
             {"@WIDTH@", std::to_string(width_)},
             {"@HEIGHT@", std::to_string(height_)},
@@ -78,17 +62,11 @@ public:
         for (std::size_t at = rest.find('@'); at != rest.npos; at = rest.find('@')) {
             file.write(rest.substr(0, at));
             rest.remove_prefix(at);
-            bool found = false;
-            for (const auto& [name, value] : values) {
-                if (!rest.starts_with(name)) continue;
-                file.write(value);
-                rest.remove_prefix(name.size());
-                found = true;
-                break;
-            }
-            if (found) continue;
-            file.write(rest.substr(0, 1));
-            rest.remove_prefix(1);
+            const auto* value = std::find_if(std::begin(values), std::end(values),
+                                             [&](const auto& named) { return rest.starts_with(named.first); });
+            const bool found = value != std::end(values);
+            file.write(found ? std::string_view(value->second) : rest.substr(0, 1));
+            rest.remove_prefix(found ? value->first.size() : 1);
         }
         file.write(rest);
         file.complete();

@@ -24,25 +24,6 @@ int typeOf(const FlowLine& line)
     return line.separates ? kSeparation : kAttachment;
 }
 
-std::string xmlText(const std::string& text)
-{
-    std::string out;
-    for (const char c : withoutControls(text)) switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    return out;
-}
-
 /// Arrays of a VTK XML file, whose numbers stand behind it as they are in memory: in text VTK 9.1 reads no NaN.
 class Appended {
 public:
