@@ -32,6 +32,27 @@ TEST_F(Cli, ExtractSaysWhereThereIsNothing)
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
 }
 
+TEST_F(Cli, ExtractWritesStreamlines)
+{
+    const std::string scene = "extract streamlines --surface torus:2000 --field rotation:16,16,16 ";
+    const Outcome csv = aeolic(scene + "--color-by rotation:mag -o a.csv"),
+                  vtp = aeolic(scene + "--overlay streamlines:60 -o a.vtp");
+    EXPECT_EQ(csv.exitCode, 0) << csv.err;
+    EXPECT_EQ(vtp.exitCode, 0) << vtp.err;
+    EXPECT_EQ(csv.out + csv.err + vtp.out + vtp.err, "");
+    const std::string text = fileText(folder_ / "a.csv");
+    EXPECT_TRUE(text.starts_with("line,length,closed,x,y,z,vector x,vector y,vector z,|rotation|\n0,"));
+    EXPECT_TRUE(fileText(folder_ / "a.vtp").starts_with("<VTKFile type=\"PolyData\""));
+    std::ofstream(folder_ / "still.vtk") << "# vtk DataFile Version 3.0\nstill\nASCII\nDATASET POLYDATA\n"
+                                            "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n"
+                                            "POINT_DATA 3\nVECTORS U float\n0 0 0 0 0 0 0 0 0\n";
+    const Outcome none = aeolic("extract streamlines --surface still.vtk -o b.csv");
+    EXPECT_EQ(none.exitCode, 0);
+    EXPECT_NE(none.err.find("aeolic: warning: the flow has no streamline on this surface that is long enough\n"),
+              std::string::npos)
+        << none.err;
+}
+
 /// What the picture shows is what is written.
 TEST_F(Cli, ExtractTakesAScenesOwnFile)
 {

@@ -10,5 +10,6 @@
 #include "aeolic/plane.h"
 #include "aeolic/renderer.h"
 #include "aeolic/scene_description.h"
+#include "aeolic/streamlines.h"
 #include "aeolic/surface_spec.h"
 #include "aeolic/topology.h"

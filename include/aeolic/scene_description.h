@@ -95,10 +95,6 @@ struct LicOptions {
 /// Which values a range goes from and to: the least and the greatest, or the 2nd and the 98th percentile by area.
 enum class RangeOf { data, robust };
 
-/// Lines and marks over the streaks. `topology`: the critical points of the flow along the surface, and the lines of
-/// separation and attachment that leave its saddles (docs/topology.md).
-enum class Overlay { none, topology };
-
 /// Colours, light and how strongly the LIC shows (paper, "blending stage").
 struct ShadingOptions {
     /// [surface:|field:][point:|cell:]NAME[:mag|:x|:y|:z]: a scalar array, or the length or a component of vectors.
@@ -129,7 +125,11 @@ struct ShadingOptions {
     bool lighting = true;
     bool antialias = true;   ///< Silhouettes, creases and lines where surfaces cross are smoothed.
     bool occlusion = false;  ///< Corners and hollows are darker. Without effect where `lighting` is off.
-    Overlay overlay = Overlay::none;
+    /// Lines and marks over the streaks: "none", or some of these with ',' between (docs/overlays.md). "streamlines" or
+    /// "streamlines:PX": evenly spaced ones with arrow heads, PX pixels apart in a picture of 800x800, [4, 1000].
+    /// "topology": the critical points of the flow along the surface, and the lines of separation and attachment that
+    /// leave its saddles. "edges": the sides of the triangles. "outline": silhouettes, creases and borders.
+    std::string overlay = "none";
     /// A saddle and a point that it is joined with are left out where they are no farther apart along their line than
     /// this part of the surface's size, the diagonal of its box: noise of the data makes such pairs. [0, 1]
     double persistence = 0.01;

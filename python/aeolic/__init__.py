@@ -15,10 +15,12 @@ from ._info import ArrayInfo, FileInfo, PartInfo, info
 from ._pick import PickedPlace
 from ._render import Renderer, render
 from ._show import Viewer
+from ._streamlines import Streamline, Streamlines, streamlines
 from ._topology import Topology, TopologyLine, topology
 
-__all__ = ["ArrayInfo", "FileInfo", "Grid", "InputError", "PartInfo", "PickedPlace", "Picture", "Renderer", "Surface", "Topology",
-           "TopologyLine", "Viewer", "Volume", "info", "lic2d", "render", "topology"]
+__all__ = ["ArrayInfo", "FileInfo", "Grid", "InputError", "PartInfo", "PickedPlace", "Picture", "Renderer", "Streamline",
+           "Streamlines", "Surface", "Topology", "TopologyLine", "Viewer", "Volume", "info", "lic2d", "render", "streamlines",
+           "topology"]
 
 
 def _save(self, path):

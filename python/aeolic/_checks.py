@@ -35,6 +35,15 @@ def path(where, value):
     return _encoded(where, value, "surrogateescape")
 
 
+def lines_file(value):
+    """The name of a file for points and lines, and whether it is to have comma-separated values."""
+    name = path("path", value)
+    ending = os.path.splitext(os.fsdecode(name))[1].lower()
+    if ending not in (".vtp", ".csv"):
+        raise InputError(f"path: found '{os.fsdecode(name)}'; expected a name ending in .vtp or .csv")
+    return name, ending == ".csv"
+
+
 def number(where, value):
     try:
         return float(value)

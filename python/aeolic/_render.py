@@ -168,6 +168,12 @@ class Renderer:
         from ._topology import topology_of  # It needs this module.
         return topology_of(self)
 
+    def streamlines(self):
+        """The Streamlines on the surface as it is shown now, as far apart as overlay= says where the surface's middle is in
+        the picture. Raises InputError where the surface is in pieces."""
+        from ._streamlines import streamlines_of  # It needs this module.
+        return streamlines_of(self)
+
     @property
     def time(self):
         """The moment that render() and viewers show, in the data's own unit of time. Setting it loads data not yet in

@@ -1,10 +1,7 @@
 """The skeleton of the flow on a surface, as numpy arrays."""
-import os
 from typing import Any, NamedTuple, Optional
 
-from . import _core
-from ._checks import path as path_of
-from ._data import InputError
+from ._checks import lines_file
 from ._options import KEYWORDS, documented
 from ._render import Renderer
 
@@ -37,11 +34,7 @@ class Topology:
     def save(self, path):
         """Writes a .vtp or .csv file, as `aeolic extract topology` does. Raises InputError for another kind of name, OSError
         if the file cannot be written."""
-        name = path_of("path", path)
-        ending = os.path.splitext(os.fsdecode(name))[1].lower()
-        if ending not in (".vtp", ".csv"):
-            raise InputError(f"path: found '{os.fsdecode(name)}'; expected a name ending in .vtp or .csv")
-        self._core.save(name, ending == ".csv")
+        self._core.save(*lines_file(path))
 
     def __repr__(self):
         return f"<aeolic.Topology of {len(self.kinds)} points and {len(self.lines)} lines>"

@@ -350,6 +350,11 @@ FlowTopology Loaded::topology()
     return alone([&] { return renderer_->topology(); });
 }
 
+EvenSurfaceLines Loaded::streamlines()
+{
+    return alone([&] { return renderer_->streamlines(); });
+}
+
 py::object Loaded::pick(int x, int y, const std::optional<std::string>& camera)
 {
     const std::optional<PickedPlace> place = alone([&] {

@@ -17,6 +17,7 @@
 #include "gil.h"
 #include "loaded.h"
 #include "options.h"
+#include "streamlines.h"
 #include "topology.h"
 #include "version.h"
 
@@ -116,6 +117,7 @@ void addLoaded(py::module_& module)
         .def("warnings", &Loaded::warnings)
         .def("stats", &Loaded::stats)
         .def("topology", &Loaded::topology)
+        .def("streamlines", &Loaded::streamlines)
         .def("pick", &Loaded::pick)
         .def("scene", &Loaded::scene);
 }
@@ -205,6 +207,7 @@ PYBIND11_MODULE(_core, module)
     addPicture(module);
     addLoaded(module);
     addTopology(module);
+    addStreamlines(module);
     module.def("option_table", optionTable);
     module.def("lic2d", lic2d);
     module.def("nearest", [](const std::string& typed, const std::vector<std::string>& names) {

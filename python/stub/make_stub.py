@@ -78,6 +78,21 @@ class PickedPlace(NamedTuple):
     scalar: float | None
     scalar_name: str | None
 
+class Streamline(NamedTuple):
+    length: float
+    closed: bool
+    positions: numpy.ndarray
+    vectors: numpy.ndarray
+    scalars: numpy.ndarray | None
+
+
+class Streamlines:
+    spacing: float
+    scalar_name: str | None
+    lines: tuple[Streamline, ...]
+    def save(self, path: str | os.PathLike[str]) -> None: ...
+
+
 class TopologyLine(NamedTuple):
     kind: str
     saddle: int
@@ -141,11 +156,13 @@ def stub():
             "    def set_shown(self, shown: Sequence[bool]) -> None: ...\n"
             "    def pick(self, x: int, y: int, camera: Mapping[str, Any] | str | None = ...) -> PickedPlace | None: ...\n"
             "    def topology(self) -> Topology: ...\n"
+            "    def streamlines(self) -> Streamlines: ...\n"
             "    @property\n    def time(self) -> float: ...\n    @time.setter\n    def time(self, moment: float) -> None: ...\n" +
             "    @property\n    def times(self) -> tuple[float, ...]: ...\n" +
             "".join(f"    @property\n    def {name}(self) -> dict[str, Any]: ...\n" for name in ("info", "stats", "scene")) +
             "\ndef render(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Picture: ...\n" +
             "def topology(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Topology: ...\n" +
+            "def streamlines(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Streamlines: ...\n" +
             "def info(path: str | os.PathLike[str]) -> FileInfo: ...\n" +
             "def lic2d(\n    u: ArrayLike, v: ArrayLike, *, spacing: Sequence[float] | float = ..., texture: ArrayLike | None = ...,\n"
             "    boundary: Literal[\"closed\", \"periodic\"] = ...,\n"

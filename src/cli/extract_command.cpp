@@ -12,6 +12,7 @@
 #include "cli/scene_options.h"
 #include "cluster/comm/together.h"
 #include "output/output_check.h"
+#include "output/streamline_files.h"
 #include "output/topology_files.h"
 
 namespace aeolic {
@@ -19,7 +20,9 @@ namespace {
 
 struct ExtractCommand {
     ExtractCommand(CLI::App& command, std::shared_ptr<Communicator> theRanks)
-        : what(addFirstWord(command, "WHAT", "topology: critical points, and lines of separation and attachment")),
+        : what(addFirstWord(command, "WHAT",
+                            "topology: critical points, and lines of separation and attachment; streamlines: evenly "
+                            "spaced ones, as --overlay streamlines:PX says")),
           sceneOptions(command),
           ranks(std::move(theRanks))
     {
@@ -39,13 +42,32 @@ struct ExtractCommand {
     std::string outputPath;
 };
 
+struct Extracted {
+    std::string text, warning;
+};
+
+Extracted topologyText(Renderer& renderer, bool asVtp)
+{
+    const FlowTopology topology = renderer.topology();
+    return {asVtp ? topologyVtp(topology) : topologyCsv(topology),
+            topology.points.empty() ? "the flow has no critical point on this surface" : ""};
+}
+
+Extracted streamlinesText(Renderer& renderer, bool asVtp)
+{
+    const EvenSurfaceLines lines = renderer.streamlines();
+    return {asVtp ? streamlinesVtp(lines) : streamlinesCsv(lines),
+            lines.lines.empty() ? "the flow has no streamline on this surface that is long enough" : ""};
+}
+
 void ExtractCommand::run() const
 {
     const bool root = ranks->isRoot();
     SceneDescription scene;
     const std::string ending = lowerExtension(outputPath);
     runTogether(*ranks, [&] {
-        if (*what != "topology") throw InputError("WHAT", "found '" + *what + "'", "topology");
+        if (*what != "topology" && *what != "streamlines")
+            throw InputError("WHAT", "found '" + *what + "'", "topology or streamlines");
         scene = sceneOptions.scene();
         if (ending != ".vtp" && ending != ".csv")
             throw InputError("-o", "found '" + outputPath + "'", "a name ending in .vtp or .csv");
@@ -56,21 +78,21 @@ void ExtractCommand::run() const
         if (root) progress.show(work, fraction);
     });
     progress.clear();
-    const FlowTopology topology = renderer.topology();
+    const bool asVtp = ending == ".vtp";
+    const Extracted found = *what == "topology" ? topologyText(renderer, asVtp) : streamlinesText(renderer, asVtp);
     if (!root) return;
     for (std::size_t i = 0; i < renderer.info().dataWarnings; ++i)
         fmt::print(stderr, "aeolic: warning: {}\n", renderer.info().warnings[i]);
-    if (topology.points.empty())
-        fmt::print(stderr, "aeolic: warning: the flow has no critical point on this surface\n");
-    writeTextFile(outputPath, ending == ".vtp" ? topologyVtp(topology) : topologyCsv(topology));
+    if (!found.warning.empty()) fmt::print(stderr, "aeolic: warning: {}\n", found.warning);
+    writeTextFile(outputPath, found.text);
 }
 
 }  // namespace
 
 void addExtractCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
 {
-    CLI::App* command =
-        program.add_subcommand("extract", "Writes what the flow on a surface has, as points and lines: its topology.");
+    CLI::App* command = program.add_subcommand(
+        "extract", "Writes what the flow on a surface has, as points and lines: its topology, streamlines.");
     const auto state = std::make_shared<ExtractCommand>(*command, ranks);
     command->callback([state] { state->run(); });
 }

@@ -37,8 +37,6 @@ inline constexpr auto choiceNames<RangeOf> = std::to_array<std::string_view>({"d
 template <>
 inline constexpr auto choiceNames<MomentOf> = std::to_array<std::string_view>({"first", "last"});
 template <>
-inline constexpr auto choiceNames<Overlay> = std::to_array<std::string_view>({"none", "topology"});
-template <>
 inline constexpr auto choiceNames<Streaks> = std::to_array<std::string_view>({"plain", "even"});
 template <>
 inline constexpr auto choiceNames<BackendChoice> = std::to_array<std::string_view>({"auto", "cpu", "gl"});

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "description/overlays.h"
 #include "description/surface_spec.h"
 
 namespace aeolic {
@@ -60,7 +61,7 @@ std::vector<std::string> idleOptions(const SceneDescription& scene, const std::m
         finder.add({"--legend"}, "without --color-by");
     }
     if (!scene.shading.lighting) finder.addSwitch("--occlusion", scene.shading.occlusion, "with --lighting off");
-    if (scene.shading.overlay != Overlay::topology) finder.add({"--persistence"}, "without --overlay topology");
+    if (!overlaysOf(scene.shading.overlay).topology) finder.add({"--persistence"}, "without --overlay topology");
     if (scene.output.frames == 1) {
         finder.add({"--fps", "--orbit"}, "without --frames");
         if (moves && given.contains("--time-range"))

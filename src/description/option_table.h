@@ -13,6 +13,7 @@
 #include "description/color_scale.h"
 #include "description/colormap.h"
 #include "description/option_rules.h"
+#include "description/overlays.h"
 
 namespace aeolic {
 
@@ -275,10 +276,12 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{shading, "occlusion", "--occlusion", "",
                  "ambient occlusion: corners and hollows are darker; nothing where --lighting is off"},
           scene.shading.occlusion, SwitchRule{});
-    visit(Option{shading, "overlay", "--overlay", "",
-                 "over the streaks; topology: critical points of the flow along the surface, and its lines of "
-                 "separation and attachment"},
-          scene.shading.overlay, choice<Overlay>);
+    visit(Option{shading, "overlay", "--overlay", "WHAT[,WHAT ...]",
+                 "over the streaks; streamlines: evenly spaced lines with arrow heads, as many pixels apart as PX of "
+                 "streamlines:PX says, else 24; topology: critical points of the flow along the surface, and its lines "
+                 "of separation and attachment; edges: the sides of the triangles; outline: silhouettes, creases and "
+                 "borders"},
+          scene.shading.overlay, NameRule{overlayNames, overlayListText, isOverlayList, overlayListPattern});
     visit(Option{shading, "persistence", "--persistence", "SHARE",
                  "pairs of critical points that are closer together than this part of the surface's size are left out, "
                  "as noise makes them"},

@@ -13,6 +13,7 @@
 #include "cluster/comm/together.h"
 #include "data/load/series/time_series.h"
 #include "description/option_table.h"
+#include "description/overlays.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
@@ -20,7 +21,9 @@
 #include "engine/renderer_internals.h"
 #include "engine/renderer_state.h"
 #include "engine/surface_pick.h"
+#include "engine/surface_streamlines.h"
 #include "engine/tile_picture.h"
+#include "render/view.h"
 #include "version.h"
 
 namespace aeolic {
@@ -242,6 +245,18 @@ FlowTopology Renderer::topology()
         state.group.communicator(), "topology", [] { return std::string(); },
         [&] { requireWhole(state.scene(), "topology"); });
     return state.arena.execute([&] { return flowTopology(state.scene(), state.description.shading.persistence); });
+}
+
+EvenSurfaceLines Renderer::streamlines()
+{
+    State& state = held();
+    callTogether(
+        state.group.communicator(), "streamlines", [] { return std::string(); },
+        [&] { requireWhole(state.scene(), "streamlines"); });
+    const double asked = overlaysOf(state.description.shading.overlay).streamlinesPx;
+    const View view = makeView(state.cameraOf(state.viewOfFrame(0)), state.scene(), state.description.lic);
+    return state.arena.execute(
+        [&] { return surfaceStreamlines(state.scene(), view, asked > 0 ? asked : Overlays::kUsualSpacingPx); });
 }
 
 std::optional<PickedPlace> Renderer::pick(int x, int y, const std::optional<CameraOptions>& camera)

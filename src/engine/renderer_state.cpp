@@ -17,6 +17,7 @@
 #include "data/load/series/time_series.h"
 #include "data/reading/reader_pool.h"
 #include "description/option_table.h"
+#include "description/overlays.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
@@ -119,7 +120,7 @@ void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction
 
 void Renderer::State::tell()
 {
-    if (description.shading.overlay != Overlay::none)
+    if (overlaysOf(description.shading.overlay).any())
         runTogether(
             group.communicator(), [&] { requireOverlay(description.shading, scene()); }, false);
     StartedFrame frame;

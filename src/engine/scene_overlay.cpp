@@ -1,8 +1,15 @@
 #include "engine/scene_overlay.h"
 
+#include <utility>
+#include <vector>
+
 #include "aeolic/error.h"
 #include "data/topology/point_flow.h"
 #include "data/topology/surface_topology.h"
+#include "description/overlays.h"
+#include "render/overlay/mesh_lines.h"
+#include "render/overlay/streamline_strokes.h"
+#include "render/overlay/surface_lines.h"
 #include "render/overlay/topology_lines.h"
 
 namespace aeolic {
@@ -16,18 +23,60 @@ void requireWhole(const Scene& scene, const char* option)
 
 void requireOverlay(const ShadingOptions& shading, const Scene& scene)
 {
-    if (shading.overlay != Overlay::none) requireWhole(scene, "--overlay");
+    const Overlays asked = overlaysOf(shading.overlay);
+    if (asked.needsFlow() || (asked.any() && scene.inPieces)) requireWhole(scene, "--overlay");
+}
+
+namespace {
+
+/// Several overlays, one over the other.
+class OverlayStack final : public SurfaceOverlay {
+public:
+    explicit OverlayStack(std::vector<std::shared_ptr<const SurfaceOverlay>> parts) : parts_(std::move(parts)) {}
+
+    void draw(const View& view, const SeenSurface& seen, Tile& out) const override
+    {
+        for (const auto& part : parts_) part->draw(view, seen, out);
+    }
+
+private:
+    std::vector<std::shared_ptr<const SurfaceOverlay>> parts_;  // From below to above.
+};
+
+}  // namespace
+
+std::shared_ptr<const SurfaceOverlay> SceneOverlay::topologyOf(double persistence, const Scene& scene)
+{
+    if (topology_ && persistence_ == persistence) return topology_;
+    const PointFlow flow = pointFlow(scene);
+    const SurfaceTopology topology = surfaceTopology(flow.mesh, flow.vectors, {.persistence = persistence});
+    topology_ = std::make_shared<SurfaceLines>(topologyLines(topology, flow.mesh));
+    persistence_ = persistence;
+    return topology_;
 }
 
 std::shared_ptr<const SurfaceOverlay> SceneOverlay::of(const ShadingOptions& shading, const Scene& scene)
 {
-    if (shading.overlay == Overlay::none) return nullptr;
-    if (known_ && persistence_ == shading.persistence) return known_;
-    const PointFlow flow = pointFlow(scene);
-    const SurfaceTopology topology = surfaceTopology(flow.mesh, flow.vectors, {.persistence = shading.persistence});
-    known_ = std::make_shared<SurfaceLines>(topologyLines(topology, flow.mesh));
-    persistence_ = shading.persistence;
-    return known_;
+    const Overlays asked = overlaysOf(shading.overlay);
+    std::vector<std::shared_ptr<const SurfaceOverlay>> parts;
+    if (asked.edges) {
+        if (!edges_) edges_ = std::make_shared<MeshEdges>(scene.surface);
+        parts.push_back(edges_);
+    }
+    if (asked.outline) {
+        if (!outline_) outline_ = std::make_shared<SurfaceOutline>(scene.surface);
+        parts.push_back(outline_);
+    }
+    if (asked.streamlinesPx > 0) {
+        if (!streamlines_) {
+            PointFlow flow = pointFlow(scene);
+            streamlines_ = std::make_shared<EvenStreamlines>(std::move(flow.mesh), flow.vectors);
+        }
+        parts.push_back(std::make_shared<StreamlineStrokes>(streamlines_, asked.streamlinesPx));
+    }
+    if (asked.topology) parts.push_back(topologyOf(shading.persistence, scene));
+    if (parts.size() > 1) return std::make_shared<OverlayStack>(std::move(parts));
+    return parts.empty() ? nullptr : parts.front();
 }
 
 }  // namespace aeolic

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "data/scene.h"
+#include "data/streamlines/even_streamlines.h"
 #include "render/surface_overlay.h"
 
 namespace aeolic {
@@ -13,18 +14,21 @@ void requireWhole(const Scene& scene, const char* option);
 /// Throws InputError where the scene cannot have the overlay that the options ask for.
 void requireOverlay(const ShadingOptions& shading, const Scene& scene);
 
-/// What the options lay over a scene's surface. It is found once, and kept while the data and its options stay.
+/// What the options lay over a scene's surface. Each part is found once, and kept while the data and its options stay.
 class SceneOverlay {
 public:
-    /// Local. Null: none. Cost where it is not known: surfaceTopology().
+    /// Local. Null: none. Cost where it is not known: surfaceTopology(), EvenStreamlines(), SurfaceOutline().
     std::shared_ptr<const SurfaceOverlay> of(const ShadingOptions& shading, const Scene& scene);
 
     /// The data changed, or the part of them that is shown.
-    void forget() { known_ = nullptr; }
+    void forget() { *this = {}; }
 
 private:
-    std::shared_ptr<const SurfaceOverlay> known_;
-    double persistence_ = 0;
+    std::shared_ptr<const SurfaceOverlay> topologyOf(double persistence, const Scene& scene);
+
+    std::shared_ptr<const SurfaceOverlay> topology_, edges_, outline_;
+    std::shared_ptr<EvenStreamlines> streamlines_;
+    double persistence_ = 0;  // topology_'s.
 };
 
 }  // namespace aeolic

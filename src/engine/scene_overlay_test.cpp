@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
 #include "cluster/comm/communicator.h"
@@ -25,7 +30,7 @@ protected:
         scene.lic.steps = 8;
         scene.output.width = 160;
         scene.output.height = 130;
-        scene.shading.overlay = Overlay::topology;
+        scene.shading.overlay = "topology";
         scene.run.backend = *choiceNamed<BackendChoice>(GetParam());
         return scene;
     }
@@ -35,6 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, SceneOverlays, allBackends, backendName);
 TEST_P(SceneOverlays, TheSameBytesFromAnyNumberOfRanksAndThreads)
 {
     SceneDescription scene = described();
+    scene.shading.overlay = "edges,outline,streamlines:10,topology";
     const Picture alone = Renderer(scene).render();
     for (const int count : {2, 3}) {
         runRanks(count, [&](Communicator& ranks) {
@@ -54,18 +60,104 @@ TEST_P(SceneOverlays, IsDrawnOverThePicture)
     Renderer renderer(scene);
     const Picture with = renderer.render();
     ShadingOptions shading = scene.shading;
-    shading.overlay = Overlay::none;
+    shading.overlay = "none";
     renderer.setShading(shading);
     const Picture without = renderer.render();
-    scene.shading.overlay = Overlay::none;
+    scene.shading.overlay = "none";
     EXPECT_EQ(without.pixels, Renderer(scene).render().pixels);
     std::size_t changed = 0;
     for (std::size_t i = 0; i < with.pixels.size(); ++i) changed += with.pixels[i] != without.pixels[i];
     EXPECT_GT(changed, with.pixels.size() / 200);
     EXPECT_LT(changed, with.pixels.size() / 3);
-    shading.overlay = Overlay::topology;
+    shading.overlay = "topology";
     renderer.setShading(shading);
     EXPECT_EQ(renderer.render().pixels, with.pixels);
+}
+
+TEST_P(SceneOverlays, EachPaintsWhatTheOthersDoNot)
+{
+    SceneDescription scene = described("sphere:500", "abc:16,16,16");
+    std::set<std::vector<std::uint8_t>> pictures;
+    for (const char* overlay : {"none", "edges", "outline", "streamlines", "streamlines:60", "topology",
+                                "streamlines,outline", "edges,outline"}) {
+        scene.shading.overlay = overlay;
+        EXPECT_TRUE(pictures.insert(Renderer(scene).render().pixels).second) << overlay;
+    }
+}
+
+/// Which levels of streamlines there are depends on what was looked at before; a picture does not.
+TEST_P(SceneOverlays, StreamlinesDoNotDependOnTheViewBefore)
+{
+    SceneDescription scene = described("torus:4000", "rotation:16,16,16");
+    scene.shading.overlay = "streamlines";
+    Renderer renderer(scene);
+    const Picture first = renderer.render();
+    CameraOptions near;
+    near.zoom = 12;
+    const Picture closeUp = renderer.render({near});
+    EXPECT_EQ(renderer.render().pixels, first.pixels);
+    scene.camera = near;
+    EXPECT_EQ(Renderer(scene).render().pixels, closeUp.pixels);
+}
+
+/// Where lines are on the surface does not depend on the view.
+TEST_P(SceneOverlays, StreamlinesStayOnTheSurface)
+{
+    SceneDescription scene = described("plane:2000", "uniform:16,16,16");  // Along x.
+    scene.output.width = scene.output.height = 300;
+    scene.shading.overlay = "streamlines:60";
+    scene.shading.lighting = false;
+    scene.lic.method = LicMethod::none;
+    Renderer renderer(scene);
+    const auto heightsOfLines = [&](double azimuth, double elevation) {
+        CameraOptions camera;
+        camera.azimuth = azimuth;
+        camera.elevation = elevation;
+        const Picture picture = renderer.render({camera});
+        std::vector<double> heights;
+        for (int y = 0; y < 300; y += 2)
+            for (int x = 0; x < 300; x += 2)
+                if (picture.pixels[std::size_t(3 * (300 * y + x))] < 60)
+                    if (const auto place = renderer.pick(x, y, camera)) heights.push_back(place->position[1]);
+        return heights;
+    };
+    const std::vector<double> before = heightsOfLines(0, 80);
+    ASSERT_GT(before.size(), 50u);
+    std::size_t beside = 0, all = 0;
+    for (const double height : heightsOfLines(25, 65)) {
+        const bool isThere =
+            std::any_of(before.begin(), before.end(), [&](double other) { return std::abs(other - height) < 0.03; });
+        ++all;
+        beside += isThere ? 0 : 1;
+    }
+    EXPECT_GT(all, 50u);
+    EXPECT_LT(double(beside), 0.2 * double(all));  // Heads, and lines of the next level.
+}
+
+TEST_P(SceneOverlays, StreamlinesComeAndGoWithoutAJump)
+{
+    SceneDescription scene = described("plane:2000", "uniform:16,16,16");
+    scene.shading.overlay = "streamlines";
+    scene.shading.lighting = false;
+    scene.lic.method = LicMethod::none;
+    scene.camera.azimuth = 0;
+    scene.camera.elevation = 90;
+    Renderer renderer(scene);
+    const auto ink = [&](double zoom) {
+        CameraOptions camera = scene.camera;
+        camera.zoom = zoom;
+        const Picture picture = renderer.render({camera});
+        double sum = 0;
+        for (const std::uint8_t value : picture.pixels) sum += 255 - value;
+        return sum / double(picture.pixels.size());
+    };
+    // Coming nearer by a hundredth never changes how much is drawn by a jump.
+    double last = ink(1.5);
+    for (double zoom = 1.515; zoom < 3.2; zoom *= 1.01) {
+        const double now = ink(zoom);
+        EXPECT_NEAR(now, last, 0.08 * last) << zoom;
+        last = now;
+    }
 }
 
 /// A flow that turns around the torus' axis has no critical point, however many the mesh has.
@@ -73,7 +165,7 @@ TEST_P(SceneOverlays, WhereThereIsNothingThePictureStays)
 {
     SceneDescription scene = described("torus:4000", "rotation:32,32,32");
     const Picture with = Renderer(scene).render();
-    scene.shading.overlay = Overlay::none;
+    scene.shading.overlay = "none";
     EXPECT_EQ(with.pixels, Renderer(scene).render().pixels);
 }
 
@@ -105,7 +197,7 @@ TEST_P(SceneOverlays, TheMarkOfAPoleIsWhereThePoleIs)
     scene.camera.focal = Vec3{0, 0, 0};
     scene.camera.up = Vec3{0, 0, 1};
     const Picture with = Renderer(scene).render();
-    scene.shading.overlay = Overlay::none;
+    scene.shading.overlay = "none";
     const Picture without = Renderer(scene).render();
     int least = 101, most = 0;
     for (int y = 0; y < 101; ++y)
@@ -177,7 +269,7 @@ TEST(SceneOverlay, ASurfaceInPiecesIsRefused)
     SceneDescription scene;
     scene.surface.spec = "sphere:2000";
     scene.field.spec = "abc:16,16,16";
-    scene.shading.overlay = Overlay::topology;
+    scene.shading.overlay = "topology";
     scene.run.backend = BackendChoice::cpu;
     scene.run.bricks = BrickChoice::on;
     EXPECT_EQ(complaintOf(scene, 2),

@@ -28,6 +28,7 @@ VALUES = {
     "title": "Flügel <b>", "legend": "|v| [m s⁻¹]", "color_scale": "bands:5", "nan_color": "102030", "below_color": "0000ff",
     "above_color": "ff0000", "context": "sphere:400", "mask_below": 0.15, "feature_angle": 5, "resample_spacing": 0.7,
     "time": 2.5, "time_range": (1, 4), "color_range": [0.1, 0.2], "offset": -0.05, "device": 0, "threads": 2, "frames": 2,
+    "overlay": "streamlines:12,outline",
 }
 NUMBERS = {"float": 0.7, "int": 3}
 # What else a scene needs, so that the option shows. A new option whose effect does not show in PLAIN needs a line here …

@@ -5,18 +5,19 @@ import {byId, h, recall, remember} from '../page/dom.js';
 import {aboutPart, viewPart} from './view.js';
 import {colorPart} from './color.js';
 import {figurePart} from './figure.js';
+import {linesPart} from './lines.js';
 import {programPart} from './program.js';
 import {streaksPart} from './streaks.js';
 import {surfacePart} from './surface.js';
 
-const OPEN_AT_FIRST = ['Program', 'Streaks', 'Colour and light', 'Figure'];
+const OPEN_AT_FIRST = ['Program', 'Streaks', 'Colour and light', 'Lines', 'Figure'];
 const isPhone = matchMedia('(max-width: 719px)'), isInFrame = window.top !== window;
 
 export function makePanel(page) {
   const {model} = page, content = byId('panel-content'), toggleButton = byId('panel-button');
   const view = viewPart(page);
   const about = aboutPart(page);
-  const parts = [programPart(page), streaksPart(page), colorPart(page), figurePart(page), surfacePart(page), view, about];
+  const parts = [programPart(page), streaksPart(page), colorPart(page), linesPart(page), figurePart(page), surfacePart(page), view, about];
   const remembered = recall('sections')?.split('|') ?? OPEN_AT_FIRST;
   const open = new Set(remembered);
   for (const part of parts) {

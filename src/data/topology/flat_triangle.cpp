@@ -14,6 +14,7 @@ FlatTriangle::FlatTriangle(const SurfaceMesh& mesh, const SurfaceFans& fans, con
     const std::uint32_t corner = 3 * triangle;
     const double rad0 = fans.cornerRad[corner], rad1 = fans.cornerRad[corner + 1];
     point = {glm::dvec2(0), {base, 0}, {last * std::cos(rad0), last * std::sin(rad0)}};
+    perPlace_ = glm::inverse(glm::dmat2(point[1] - point[0], point[2] - point[0]));
     const std::array<double, 3> sideRad{0, kPi - rad1, kPi + rad0};  // Of the half-edge that begins at each corner.
     for (std::uint32_t i = 0; i < 3; ++i) {
         const std::uint32_t c = corner + i, fan = fans.fanOf[c];
@@ -25,15 +26,13 @@ FlatTriangle::FlatTriangle(const SurfaceMesh& mesh, const SurfaceFans& fans, con
 
 glm::dvec3 FlatTriangle::weightsOf(const glm::dvec2& place) const
 {
-    const glm::dmat2 sides(point[1] - point[0], point[2] - point[0]);
-    const glm::dvec2 others = glm::inverse(sides) * (place - point[0]);
+    const glm::dvec2 others = perPlace_ * (place - point[0]);
     return {1 - others.x - others.y, others.x, others.y};
 }
 
 glm::dmat2 FlatTriangle::derivative() const
 {
-    const glm::dmat2 sides(point[1] - point[0], point[2] - point[0]), change(flow[1] - flow[0], flow[2] - flow[0]);
-    return change * glm::inverse(sides);
+    return glm::dmat2(flow[1] - flow[0], flow[2] - flow[0]) * perPlace_;
 }
 
 }  // namespace aeolic

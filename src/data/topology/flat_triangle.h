@@ -25,8 +25,17 @@ struct FlatTriangle {
     }
     /// The weights of a place in the plane. Outside of the triangle some are below 0.
     glm::dvec3 weightsOf(const glm::dvec2& place) const;
+    /// By how much the weights change on a way in the plane; their sum is 0.
+    glm::dvec3 weightChange(const glm::dvec2& way) const
+    {
+        const glm::dvec2 others = perPlace_ * way;
+        return {-others.x - others.y, others.x, others.y};
+    }
     /// The flow's derivative.
     glm::dmat2 derivative() const;
+
+private:
+    glm::dmat2 perPlace_;  // What the weights of the second and third corner change by.
 };
 
 }  // namespace aeolic

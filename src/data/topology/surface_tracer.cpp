@@ -9,9 +9,12 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A step goes so far, as a part of the triangle's longest side, and so far in the time in which the flow changes. The
-/// flow is linear, so that a thin triangle needs no shorter ones.
-constexpr double kStepPart = 0.25, kTimePart = 0.5;
+/// A step goes so far in the time in which the flow changes. The flow is linear, so that a thin triangle needs no
+/// shorter ones.
+constexpr double kTimePart = 0.5;
+
+/// Places of trace() are so far apart at most, as a part of the triangle's longest side.
+constexpr double kPlacePart = 0.25;
 
 /// Where the flow is slower than this part of what it is at the triangle's corners a line has come to a point at rest.
 constexpr double kAtRest = 1e-4;
@@ -36,10 +39,7 @@ double longestSide(const FlatTriangle& flat)
 /// The weights after a time, by Runge and Kutta's fourth order; inside or outside of the triangle.
 glm::dvec3 stepped(const FlatTriangle& flat, const glm::dvec3& from, double time)
 {
-    const auto change = [&](const glm::dvec3& weight) {
-        const glm::dvec3 moved = flat.weightsOf(flat.flowAt(weight) + flat.point[0]);
-        return moved - glm::dvec3(1, 0, 0);  // The sum of what weights change by is 0.
-    };
+    const auto change = [&](const glm::dvec3& weight) { return flat.weightChange(flat.flowAt(weight)); };
     const glm::dvec3 a = change(from), b = change(from + 0.5 * time * a), c = change(from + 0.5 * time * b),
                      d = change(from + time * c);
     return from + time / 6 * (a + 2.0 * b + 2.0 * c + d);
@@ -61,6 +61,32 @@ Exit exitOf(const glm::dvec3& from, const glm::dvec3& to)
     return exit;
 }
 
+/// The same up to where a corner's weight is zero, for a time after which it is `beyond`, below zero. By false
+/// position, after Dowell and Jarratt, "A modified regula falsi method for computing the root of an equation", BIT 11
+/// (1971).
+glm::dvec3 steppedToSide(const FlatTriangle& flat, const glm::dvec3& from, double time, int corner, double beyond)
+{
+    constexpr double isZero = 1e-13;
+    double low = 0, high = 1, atLow = std::max(from[corner], 0.0), atHigh = beyond;
+    glm::dvec3 to = from;
+    for (int round = 0, side = 0; round < 40; ++round) {
+        const double part = (atLow * high - atHigh * low) / (atLow - atHigh);
+        to = stepped(flat, from, part * time);
+        if (std::abs(to[corner]) < isZero) break;
+        if (to[corner] < 0) {
+            high = part, atHigh = to[corner];
+            if (side == -1) atLow *= 0.5;
+            side = -1;
+        } else {
+            low = part, atLow = to[corner];
+            if (side == 1) atHigh *= 0.5;
+            side = 1;
+        }
+    }
+    to[corner] = 0;
+    return to;
+}
+
 glm::dvec3 cleaned(glm::dvec3 weight)
 {
     weight = glm::max(weight, glm::dvec3(0));
@@ -69,20 +95,22 @@ glm::dvec3 cleaned(glm::dvec3 weight)
 
 }  // namespace
 
-void SurfaceTracer::add(Walk& walk) const
+/// Returns false where the line ends here.
+bool SurfaceTracer::add(Walk& walk) const
 {
-    SurfaceLine& line = walk.line;
-    if (!line.places.empty())
-        line.lengthWorld += glm::length(positionWorld(walk.at) - positionWorld(line.places.back()));
-    line.places.push_back(walk.at);
+    const glm::dvec3 atWorld = positionWorld(walk.at);
+    walk.lengthWorld += glm::length(atWorld - walk.lastWorld);
+    walk.lastWorld = atWorld;
+    walk.end = !walk.visit(walk.at, walk.lengthWorld) ? LineEnd::stopped : LineEnd::longest;
+    return walk.end != LineEnd::stopped && walk.lengthWorld < walk.longestWorld;
 }
 
 /// Goes on in the walk's triangle to one of its sides. Returns that half-edge; nothing where the line ends.
-std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk, double longestWorld) const
+std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk) const
 {
     const std::uint32_t t = walk.at.triangle;
     if (field_.masked[t]) {
-        walk.line.end = LineEnd::masked;
+        walk.end = LineEnd::masked;
         return {};
     }
     const FlatTriangle flat(mesh_, fans_, field_, t);
@@ -90,36 +118,27 @@ std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk, double longe
     const double change = std::sqrt(glm::dot(derivative[0], derivative[0]) + glm::dot(derivative[1], derivative[1]));
     const double fastest = std::max({glm::length(flat.flow[0]), glm::length(flat.flow[1]), glm::length(flat.flow[2])}),
                  longest = longestSide(flat);
-    for (int step = 0; step < kMostSteps; ++step) {
+    const double shortSteps = std::min(8 * longest / walk.stepWorld, 1e6);  // That it may need to pass the triangle.
+    for (int step = 0; step < kMostSteps + int(shortSteps); ++step) {
         const double speed = glm::length(flat.flowAt(walk.at.weight));
         if (!(speed > kAtRest * fastest)) {
-            walk.line.end = LineEnd::rest;
+            walk.end = LineEnd::rest;
             return {};
         }
-        double time = kStepPart * longest / speed;
+        double time = std::min(walk.stepPart * longest, walk.stepWorld) / speed;
         if (change > 0) time = std::min(time, kTimePart / change);
         time *= walk.direction;
         const glm::dvec3 from = walk.at.weight;
         glm::dvec3 to = stepped(flat, from, time);
         const Exit exit = exitOf(from, to);
         if (exit.corner >= 0) {
-            double low = 0, high = 1, part = exit.part;  // Where that weight is zero on the way.
-            for (int round = 0; round < 20; ++round, part = 0.5 * (low + high)) {
-                to = stepped(flat, from, part * time);
-                if (std::abs(to[exit.corner]) < 1e-14) break;
-                (to[exit.corner] < 0 ? high : low) = part;
-            }
-            to[exit.corner] = 0;
+            to = steppedToSide(flat, from, time, exit.corner, to[exit.corner]);
         }
         walk.at.weight = cleaned(to);
-        add(walk);
-        if (walk.line.lengthWorld >= longestWorld) {
-            walk.line.end = LineEnd::longest;
-            return {};
-        }
+        if (!add(walk)) return {};
         if (exit.corner >= 0) return 3 * t + std::uint32_t((exit.corner + 1) % 3);
     }
-    walk.line.end = LineEnd::rest;
+    walk.end = LineEnd::rest;
     return {};
 }
 
@@ -128,7 +147,7 @@ bool SurfaceTracer::passPoint(Walk& walk, std::uint32_t corner) const
 {
     const std::uint32_t fan = fans_.fanOf[corner];
     if (!(field_.length[fan] > 0)) {
-        walk.line.end = LineEnd::rest;
+        walk.end = LineEnd::rest;
         return false;
     }
     double rad = field_.rad[fan] + (walk.direction < 0 ? kPi : 0);
@@ -138,7 +157,7 @@ bool SurfaceTracer::passPoint(Walk& walk, std::uint32_t corner) const
         if (fans_.edgeRad[c] <= rad && rad <= fans_.secondEdgeRad(c)) into = into.value_or(c);
     });
     if (!into) {
-        walk.line.end = LineEnd::boundary;
+        walk.end = LineEnd::boundary;
         return false;
     }
     const double part = (rad - fans_.edgeRad[*into]) / (fans_.scale[fan] * fans_.cornerRad[*into]);
@@ -161,8 +180,7 @@ bool SurfaceTracer::slide(Walk& walk, std::uint32_t halfEdge) const
     const std::uint32_t end = along(halfEdge, walk.at.weight) >= 0 ? nextInTriangle(halfEdge) : halfEdge;
     walk.at.weight = glm::dvec3(0);
     walk.at.weight[int(end % 3)] = 1;
-    add(walk);
-    return passPoint(walk, end);
+    return add(walk) && passPoint(walk, end);
 }
 
 /// Goes into the triangle beyond a side that the walk has come to.
@@ -174,14 +192,14 @@ bool SurfaceTracer::enter(Walk& walk, std::uint32_t halfEdge) const
     if (there > 1 - kAtCorner) return passPoint(walk, end);
     const std::uint32_t twin = fans_.twin[halfEdge];
     if (twin == SurfaceFans::kNone) {
-        walk.line.end = LineEnd::boundary;
+        walk.end = LineEnd::boundary;
         return false;
     }
     std::vector<double>& before = walk.entered[halfEdge];
     const bool again =
         std::any_of(before.begin(), before.end(), [&](double place) { return std::abs(place - there) < kSamePlace; });
     if (again || before.size() >= kMostCrossings) {
-        walk.line.end = LineEnd::closed;
+        walk.end = LineEnd::closed;
         return false;
     }
     before.push_back(there);
@@ -196,15 +214,33 @@ bool SurfaceTracer::enter(Walk& walk, std::uint32_t halfEdge) const
     return std::isfinite(flow.x) ? slide(walk, twin) : true;
 }
 
-SurfaceLine SurfaceTracer::trace(const SurfacePlace& from, int direction, double longestWorld) const
+LineEnd SurfaceTracer::walk(Walk walk) const
 {
-    Walk walk{from, direction, {}, {}};
-    add(walk);
+    if (!add(walk)) return walk.end;
     for (int triangle = 0; triangle < kMostTriangles; ++triangle) {
-        const std::optional<std::uint32_t> side = walkThrough(walk, longestWorld);
+        const std::optional<std::uint32_t> side = walkThrough(walk);
         if (!side || !enter(walk, *side)) break;
     }
-    return std::move(walk.line);
+    return walk.end;
+}
+
+LineEnd SurfaceTracer::follow(const SurfacePlace& from, int direction, double longestWorld, double stepWorld,
+                              const Visit& visit) const
+{
+    return walk({from, direction, longestWorld, stepWorld, 1, visit, positionWorld(from)});
+}
+
+SurfaceLine SurfaceTracer::trace(const SurfacePlace& from, int direction, double longestWorld) const
+{
+    SurfaceLine line;
+    const Visit add = [&](const SurfacePlace& place, double lengthWorld) {
+        line.places.push_back(place);
+        line.lengthWorld = lengthWorld;
+        return true;
+    };
+    constexpr double any = std::numeric_limits<double>::infinity();
+    line.end = walk({from, direction, longestWorld, any, kPlacePart, add, positionWorld(from)});
+    return line;
 }
 
 }  // namespace aeolic

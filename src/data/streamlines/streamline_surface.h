@@ -1,0 +1,47 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "data/topology/surface_tracer.h"
+
+namespace aeolic {
+
+/// A surface and its flow, ready for streamlines along the flow and across it. Lengths that are not called world count
+/// in a unit that is near the surface's size.
+class StreamlineSurface {
+public:
+    /// `vectors`: [points of the mesh], in the world's axes; NaN where nothing flows. Cost: O(triangles), parallel.
+    StreamlineSurface(SurfaceMesh mesh, const std::vector<glm::vec3>& vectors);
+    StreamlineSurface(const StreamlineSurface&) = delete;
+
+    const SurfaceTracer& along() const { return along_; }
+    const SurfaceTracer& across() const { return across_; }
+
+    /// World axes, beside the mesh's originWorld.
+    glm::vec3 at(const SurfacePlace& place) const
+    {
+        return glm::vec3((positionWorld(mesh_, place) - mesh_.originWorld) / unitWorld_);
+    }
+    /// Of the triangle, unit length.
+    glm::vec3 normal(std::uint32_t triangle) const;
+
+    /// None of its corners is masked, and the flow does not rest at all of them.
+    bool hasFlow(std::uint32_t triangle) const;
+    double area() const { return areas_.empty() ? 0 : areas_.back(); }  ///< Of all that has flow.
+    double size() const { return size_; }                               ///< The diagonal of its box.
+    double unitWorld() const { return unitWorld_; }                     ///< A power of two.
+
+    /// The `which`-th of `count` places that are spread evenly over the area, in the order of the triangles.
+    SurfacePlace spread(std::size_t which, std::size_t count) const;
+
+private:
+    SurfaceMesh mesh_;
+    SurfaceFans fans_;
+    TangentField flow_, acrossFlow_;
+    SurfaceTracer along_, across_;
+    std::vector<double> areas_;  // [triangles] Of all up to this one.
+    double size_ = 0, unitWorld_ = 1;
+};
+
+}  // namespace aeolic

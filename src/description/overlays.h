@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace aeolic {
+
+/// What lies over a scene's surface: the parts of ShadingOptions::overlay.
+struct Overlays {
+    static constexpr double kUsualSpacingPx = 24, kLeastSpacingPx = 4, kMostSpacingPx = 1000;
+
+    bool topology = false, edges = false, outline = false;
+    double streamlinesPx = 0;  ///< Their spacing; 0: none.
+
+    bool any() const { return topology || edges || outline || streamlinesPx > 0; }
+    bool needsFlow() const { return topology || streamlinesPx > 0; }  ///< Else the surface alone.
+};
+
+inline constexpr std::string_view overlayNames[] = {"none", "streamlines", "topology", "edges", "outline"};
+
+/// The texts that are no name, in words and for the page.
+inline constexpr auto overlayListText =
+    "several of them with ',' between, as streamlines:PX,topology, with PX from 4 to 1000";
+inline constexpr auto overlayListPattern =
+    "^(?!.*(topology|edges|outline|streamlines).*\\1)"
+    "((topology|edges|outline|streamlines(:(([4-9]|[1-9][0-9]{1,2})([.][0-9]+)?|1000))?)(,(?!$)|$))+$";
+
+/// Reads "none" or a list in which nothing stands twice: "streamlines:16,topology". Nothing where it is not one.
+std::optional<Overlays> parseOverlays(std::string_view text);
+
+/// The same of a text that was checked.
+Overlays overlaysOf(std::string_view text);
+
+/// It is a list, or one of the names.
+bool isOverlayList(std::string_view text);
+
+}  // namespace aeolic

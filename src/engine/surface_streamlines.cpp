@@ -1,0 +1,65 @@
+#include "engine/surface_streamlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "data/streamlines/even_streamlines.h"
+#include "engine/flow_values.h"
+#include "render/overlay/streamline_strokes.h"
+
+namespace aeolic {
+namespace {
+
+/// Parts of one streamline, from the most upstream on.
+using Parts = std::vector<const EvenStreamline*>;
+
+std::vector<Parts> chainsOf(const std::vector<EvenStreamline>& lines, int levels)
+{
+    std::map<std::uint32_t, Parts> byChain;
+    for (const EvenStreamline& line : lines)
+        if (line.level < levels) byChain[line.chain].push_back(&line);
+    std::vector<Parts> chains;
+    for (auto& [chain, parts] : byChain) {
+        std::sort(parts.begin(), parts.end(), [](const EvenStreamline* a, const EvenStreamline* b) {
+            return a->points.front().arc < b->points.front().arc;
+        });
+        chains.push_back(parts);
+    }
+    return chains;
+}
+
+SurfaceStreamline streamlineOf(const Parts& parts, const FlowValues& values, double unitWorld)
+{
+    SurfaceStreamline line;
+    line.length = unitWorld * (double(parts.back()->points.back().arc) - double(parts.front()->points.front().arc));
+    line.closed = parts.size() == 1 && parts[0]->points.front().at == parts[0]->points.back().at;
+    for (const EvenStreamline* part : parts)  // A part begins where the one before ends.
+        for (std::size_t i = part == parts.front() ? 0 : 1; i < part->points.size(); ++i)
+            line.places.push_back(values.at(part->points[i].place));
+    return line;
+}
+
+}  // namespace
+
+EvenSurfaceLines surfaceStreamlines(const Scene& scene, const View& view, double spacingPx)
+{
+    const PointFlow flow = pointFlow(scene);
+    EvenStreamlines all(flow.mesh, flow.vectors);
+    EvenSurfaceLines found;
+    found.scalar = scene.hasScalar ? scene.scalarName : "";
+    const glm::vec3 middle = fromEye(view, glm::vec3(0));
+    const double depth = std::max(double(middle.z), view.nearDepth) * view.unitWorld;
+    const double asked = double(spacingIn(view.camera, spacingPx)) * depth / double(view.focalPx);
+    const double levels = std::log2(all.spacing(0) * all.unitWorld() / asked);
+    const int level = std::isfinite(levels) ? int(std::lround(std::clamp(levels, 0.0, 30.0))) : 0;
+    all.refineTo(level);
+    if (all.levels() == 0) return found;
+    found.spacing = all.spacing(std::min(level, all.levels() - 1)) * all.unitWorld();
+    const FlowValues values(scene, flow);
+    for (const Parts& parts : chainsOf(all.lines(), level + 1))
+        found.lines.push_back(streamlineOf(parts, values, all.unitWorld()));
+    return found;
+}
+
+}  // namespace aeolic

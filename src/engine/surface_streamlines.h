@@ -1,0 +1,14 @@
+#pragma once
+
+#include "aeolic/streamlines.h"
+#include "data/scene.h"
+#include "render/view.h"
+
+namespace aeolic {
+
+/// Evenly spaced streamlines on a scene's surface, about as far apart as `spacingPx` pixels of the view (as
+/// StreamlineStrokes counts them) at the depth of the surface's middle: those of the level whose spacing is nearest.
+/// What finer levels add to a line is part of it. The scene is whole. Cost: EvenStreamlines.
+EvenSurfaceLines surfaceStreamlines(const Scene& scene, const View& view, double spacingPx);
+
+}  // namespace aeolic

@@ -1,0 +1,17 @@
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import {overlaysText, readOverlays} from '../../../web/view/overlays.js';
+
+test('a list of overlays is read and written again', () => {
+  for (const text of ['none', 'streamlines', 'streamlines:16', 'edges,outline', 'edges,outline,streamlines:12.5,topology'])
+    assert.equal(overlaysText(readOverlays(text)), text);
+  assert.deepEqual(readOverlays('topology,streamlines'), {streamlines: 24, topology: true, edges: false, outline: false});
+  assert.deepEqual(readOverlays(undefined), {streamlines: 0, topology: false, edges: false, outline: false});
+});
+
+test('what is off is not in the list', () => {
+  assert.equal(overlaysText({streamlines: 0, topology: false, edges: false, outline: false}), 'none');
+  assert.equal(overlaysText({...readOverlays('streamlines:9,topology'), streamlines: 0}), 'topology');
+  assert.equal(overlaysText({...readOverlays('none'), streamlines: 24}), 'streamlines');
+});
