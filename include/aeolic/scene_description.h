@@ -76,6 +76,11 @@ enum class Style { dense, oriented };
 enum class FlowMotion { off, loop };
 
 /// The line integral convolution (paper, section 3, "LIC stage").
+/// How streaks tell how fast the flow along the surface is. `contrast`: where it is slow they fade, by the root of the
+/// vector's length along the surface as a part of the longest vector's. `length`: steps are in proportion to the
+/// vector's magnitude, whatever `normalize` says.
+enum class Magnitude { none, contrast, length };
+
 struct LicOptions {
     LicMethod method = LicMethod::hierarchical;
     Style style = Style::dense;
@@ -86,7 +91,8 @@ struct LicOptions {
     Streaks streaks = Streaks::even;  ///< plain: the paper's.
     double phase = 0;                 ///< Radians. Moves the Hann kernel along the streamline; 2 pi is a full cycle.
     FlowMotion flow = FlowMotion::off;
-    bool normalize = true;    ///< false: steps in proportion to the vector's magnitude, the largest taking `step`.
+    bool normalize = true;  ///< false: steps in proportion to the vector's magnitude, the largest taking `step`.
+    Magnitude magnitude = Magnitude::none;
     double noiseScale = 1.0;  ///< Noise texels per pixel at the focal point, [0.01, 16].
     std::uint32_t seed = 1;
     double maskBelow = 0;  ///< No streaks show where the vector is shorter, in its own unit; 0: everywhere they do.

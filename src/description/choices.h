@@ -33,6 +33,8 @@ inline constexpr auto choiceNames<Kernel> = std::to_array<std::string_view>({"bo
 template <>
 inline constexpr auto choiceNames<FlowMotion> = std::to_array<std::string_view>({"off", "loop"});
 template <>
+inline constexpr auto choiceNames<Magnitude> = std::to_array<std::string_view>({"none", "contrast", "length"});
+template <>
 inline constexpr auto choiceNames<RangeOf> = std::to_array<std::string_view>({"data", "robust"});
 template <>
 inline constexpr auto choiceNames<MomentOf> = std::to_array<std::string_view>({"first", "last"});

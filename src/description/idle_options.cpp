@@ -54,10 +54,13 @@ std::vector<std::string> idleOptions(const SceneDescription& scene, const std::m
         finder.add({"--kernel", "--phase"}, "with --style oriented");
     else if (scene.lic.kernel != Kernel::hann)
         finder.add({"--phase"}, "without --kernel hann");
+    if (scene.lic.method == LicMethod::none) finder.add({"--magnitude"}, "with --lic none");
+    if (scene.lic.magnitude == Magnitude::length) finder.add({"--normalize"}, "with --magnitude length");
+    const bool hasBar = hasColors(scene) || scene.lic.magnitude != Magnitude::none;
+    if (!hasBar) finder.addSwitch("--scalar-bar", scene.shading.scalarBar, "without --color-by");
     if (!hasColors(scene)) {
         finder.add({"--colormap", "--color-range", "--color-scale", "--nan-color", "--below-color", "--above-color"},
                    "without --color-by");
-        finder.addSwitch("--scalar-bar", scene.shading.scalarBar, "without --color-by");
         finder.add({"--legend"}, "without --color-by");
     }
     if (!scene.shading.lighting) finder.addSwitch("--occlusion", scene.shading.occlusion, "with --lighting off");

@@ -25,6 +25,11 @@ TEST(IdleOptions, ColoursWithoutAnArray)
         (Lines{"--color-range has no effect without --color-by", "--above-color has no effect without --color-by"}));
     EXPECT_EQ(idle({{"--scalar-bar", "on"}}), Lines{"--scalar-bar has no effect without --color-by"});
     EXPECT_EQ(idle({{"--scalar-bar", "off"}}), Lines{});
+    EXPECT_EQ(idle({{"--scalar-bar", "on"}, {"--magnitude", "contrast"}}), Lines{});
+    EXPECT_EQ(idle({{"--magnitude", "contrast"}, {"--lic", "none"}}),
+              Lines{"--magnitude has no effect with --lic none"});
+    EXPECT_EQ(idle({{"--normalize", "off"}, {"--magnitude", "length"}}),
+              Lines{"--normalize has no effect with --magnitude length"});
     EXPECT_EQ(idle({{"--legend", "p [Pa]"}, {"--color-by", "p"}}), Lines{});
 }
 

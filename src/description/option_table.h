@@ -210,6 +210,10 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{lic, "normalize", "--normalize", "",
                  "off: steps in proportion to the vectors, the largest taking --step"},
           scene.lic.normalize, SwitchRule{});
+    visit(Option{lic, "magnitude", "--magnitude", "",
+                 "how streaks tell how fast the flow is; contrast: where it is slow they fade; length: there they are "
+                 "shorter, as with --normalize off"},
+          scene.lic.magnitude, choice<Magnitude>);
     visit(Option{lic, "noiseScale", "--noise-scale", "S", "noise texels per pixel at the focal point"},
           scene.lic.noiseScale, NumberRule{0.01, 16}.usually(0.05, 8));
     visit(Option{lic, "seed", "--seed", "N", "another number, another noise"}, scene.lic.seed,
@@ -279,8 +283,8 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{shading, "overlay", "--overlay", "WHAT[,WHAT ...]",
                  "over the streaks; streamlines: evenly spaced lines with arrow heads, as many pixels apart as PX of "
                  "streamlines:PX says, else 24; topology: critical points of the flow along the surface, and its lines "
-                 "of separation and attachment; edges: the sides of the triangles; outline: silhouettes, creases and "
-                 "borders"},
+                 "of separation and attachment; edges: the sides of the triangles, but for those of a few pixels; "
+                 "outline: silhouettes, creases and borders"},
           scene.shading.overlay, NameRule{overlayNames, overlayListText, isOverlayList, overlayListPattern});
     visit(Option{shading, "persistence", "--persistence", "SHARE",
                  "pairs of critical points that are closer together than this part of the surface's size are left out, "

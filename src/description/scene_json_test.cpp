@@ -30,19 +30,9 @@ SceneDescription unusualScene()
     scene.surface = {"slice:0,0,0:0,1,0", 45};
     scene.field = {"tornado", FieldPrecision::float16, "Geschwindigkeit größer", -0.02, 0.1};
     scene.time.range = std::array{0.25, -4.0};
-    scene.lic = {LicMethod::direct,
-                 Style::dense,
-                 Integrator::rk4,
-                 77,
-                 0.3,
-                 Kernel::hann,
-                 Streaks::plain,
-                 -1.25,
-                 FlowMotion::loop,
-                 false,
-                 2.5,
-                 4294967295u,
-                 0.25};
+    scene.lic = {
+        LicMethod::direct, Style::dense, Integrator::rk4,   77,  0.3,         Kernel::hann, Streaks::plain, -1.25,
+        FlowMotion::loop,  false,        Magnitude::length, 2.5, 4294967295u, 0.25};
     scene.shading = {"p",           "coolwarm", std::array{-1e-7, 3.0},
                      RangeOf::data, "bands:7",  "112233",
                      "445566",      "778899",   false,
@@ -182,13 +172,13 @@ TEST(SceneJson, EachFaultIsOneLineThatNamesTheField)
          "scene.json: lic: 'stepp': unknown key; expected one of method, style, integrator, steps, step, kernel, "
          "streaks, "
          "phase, flow, "
-         "normalize, "
+         "normalize, magnitude, "
          "noiseScale, seed, maskBelow; did you mean steps?"},
         {R"({"lic": {"Method": "none"}})",
          "scene.json: lic: 'Method': unknown key; expected one of method, style, integrator, steps, step, kernel, "
          "streaks, "
          "phase, flow, "
-         "normalize, noiseScale, seed, maskBelow; did you mean method?"},
+         "normalize, magnitude, noiseScale, seed, maskBelow; did you mean method?"},
         {R"({"lic": {"method": "hierachical"}})",
          "scene.json: lic.method: found the text 'hierachical'; expected one of none, direct, hierarchical; did you "
          "mean hierarchical?"},

@@ -161,6 +161,7 @@ void Renderer::State::setGroup(SceneDescription changed, const char* key, const 
 void Renderer::State::setLook(StartedFrame& frame)
 {
     frame.shading = description.shading;
+    frame.lic = description.lic;
     frame.colorMap = colorMap();
     frame.colorMaps = surfaceColorMaps();
     frame.height = description.output.height;

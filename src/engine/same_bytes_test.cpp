@@ -26,6 +26,7 @@ LicOptions masked(LicOptions lic)
 
 LicOptions oriented(LicOptions lic)
 {
+    lic.magnitude = Magnitude::contrast;
     lic.style = Style::oriented;
     return lic;
 }

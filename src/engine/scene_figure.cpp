@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "description/color_scale.h"
 #include "render/palette.h"
@@ -44,6 +46,19 @@ std::vector<ScalarBar> barsOf(const StartedFrame& frame, const Scene& scene)
     return bars;
 }
 
+/// How long vectors are where streaks show in full, or have their length.
+std::optional<ScalarBar> streaksBar(const StartedFrame& frame, const Scene& scene)
+{
+    const LicOptions& lic = frame.lic;
+    if (lic.magnitude == Magnitude::none || lic.method == LicMethod::none || !(scene.maxVector > 0)) return {};
+    ScalarBar bar;
+    bar.colors = {Color{170, 170, 170}};
+    bar.hi = scene.maxVector;
+    bar.title = "vector length";
+    bar.fill = lic.magnitude == Magnitude::contrast ? BarFill::fadingStreaks : BarFill::shorterStreaks;
+    return bar;
+}
+
 }  // namespace
 
 std::string timeStampOf(double time, const std::vector<double>& times)
@@ -62,6 +77,8 @@ Figure figureOf(const StartedFrame& frame, const Scene& scene, const std::vector
     figure.textScale = shading.textScale;
     figure.title = shading.title;
     if (scene.hasScalar && shading.scalarBar) figure.bars = barsOf(frame, scene);
+    if (shading.scalarBar)
+        if (auto bar = streaksBar(frame, scene)) figure.bars.push_back(std::move(*bar));
     if (shading.axes) figure.axes = Orientation{frame.camera.right, frame.camera.up, frame.camera.forward};
     if (shading.timeStamp && !times.empty()) {
         figure.stamp = timeStampOf(frame.time, times);

@@ -39,6 +39,32 @@ SceneDescription upperRight()
     return scene;
 }
 
+/// A legend of its own tells which vectors have streaks in full, beside that of the colours.
+TEST(SceneFigure, StreaksThatFadeHaveALegend)
+{
+    SceneDescription scene = upperRight();
+    scene.shading.colorBy = "";
+    scene.lic.method = LicMethod::direct;
+    scene.lic.steps = 4;
+    const auto legendOf = [&] { return Renderer(scene).render({scene.camera}).legend; };
+    EXPECT_FALSE(legendOf());
+    for (const Magnitude magnitude : {Magnitude::contrast, Magnitude::length}) {
+        scene.lic.magnitude = magnitude;
+        EXPECT_TRUE(legendOf());
+    }
+    const auto alone = legendOf();
+    scene.shading.colorBy = "uniform:mag";
+    const auto both = legendOf();
+    ASSERT_TRUE(alone && both);
+    EXPECT_GT((*both)[2], (*alone)[2]);
+    scene.lic.method = LicMethod::none;
+    scene.shading.colorBy = "";
+    EXPECT_FALSE(legendOf());
+    scene.lic.method = LicMethod::direct;
+    scene.shading.scalarBar = false;
+    EXPECT_FALSE(legendOf());
+}
+
 /// Ranks that each draw their own rows find the same corner for the legend.
 TEST(SceneFigure, StripesAreTheRowsOfTheWholePicture)
 {

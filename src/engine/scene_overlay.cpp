@@ -70,7 +70,7 @@ std::shared_ptr<const SurfaceOverlay> SceneOverlay::of(const ShadingOptions& sha
     if (asked.streamlinesPx > 0) {
         if (!streamlines_) {
             PointFlow flow = pointFlow(scene);
-            streamlines_ = std::make_shared<EvenStreamlines>(std::move(flow.mesh), flow.vectors);
+            streamlines_ = std::make_shared<EvenStreamlines>(std::move(flow.mesh), std::move(flow.vectors));
         }
         parts.push_back(std::make_shared<StreamlineStrokes>(streamlines_, asked.streamlinesPx));
     }

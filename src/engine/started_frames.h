@@ -11,6 +11,7 @@ namespace aeolic {
 struct StartedFrame {
     Frame frame;
     ShadingOptions shading;
+    LicOptions lic;
     std::shared_ptr<const ColorMap> colorMap;                ///< What `shading` names.
     std::vector<std::shared_ptr<const ColorMap>> colorMaps;  ///< [Scene::colors] Of several surfaces.
     Camera camera;

@@ -29,14 +29,20 @@ std::vector<Parts> chainsOf(const std::vector<EvenStreamline>& lines, int levels
     return chains;
 }
 
-SurfaceStreamline streamlineOf(const Parts& parts, const FlowValues& values, double unitWorld)
+glm::dvec3 positionOf(const SurfaceValues& place)
+{
+    return {place.position[0], place.position[1], place.position[2]};
+}
+
+SurfaceStreamline streamlineOf(const Parts& parts, const FlowValues& values)
 {
     SurfaceStreamline line;
-    line.length = unitWorld * (double(parts.back()->points.back().arc) - double(parts.front()->points.front().arc));
     line.closed = parts.size() == 1 && parts[0]->points.front().at == parts[0]->points.back().at;
     for (const EvenStreamline* part : parts)  // A part begins where the one before ends.
         for (std::size_t i = part == parts.front() ? 0 : 1; i < part->points.size(); ++i)
             line.places.push_back(values.at(part->points[i].place));
+    for (std::size_t i = 1; i < line.places.size(); ++i)
+        line.length += glm::distance(positionOf(line.places[i]), positionOf(line.places[i - 1]));
     return line;
 }
 
@@ -45,20 +51,19 @@ SurfaceStreamline streamlineOf(const Parts& parts, const FlowValues& values, dou
 EvenSurfaceLines surfaceStreamlines(const Scene& scene, const View& view, double spacingPx)
 {
     const PointFlow flow = pointFlow(scene);
-    EvenStreamlines all(flow.mesh, flow.vectors);
-    EvenSurfaceLines found;
-    found.scalar = scene.hasScalar ? scene.scalarName : "";
     const glm::vec3 middle = fromEye(view, glm::vec3(0));
     const double depth = std::max(double(middle.z), view.nearDepth) * view.unitWorld;
-    const double asked = double(spacingIn(view.camera, spacingPx)) * depth / double(view.focalPx);
-    const double levels = std::log2(all.spacing(0) * all.unitWorld() / asked);
-    const int level = std::isfinite(levels) ? int(std::lround(std::clamp(levels, 0.0, 30.0))) : 0;
+    const double askedWorld = double(spacingIn(view.camera, spacingPx)) * depth / double(view.focalPx);
+    EvenStreamlines all(flow.mesh, flow.vectors, askedWorld);
+    EvenSurfaceLines found;
+    found.scalar = scene.hasScalar ? scene.scalarName : "";
+    const double finer = std::log2(all.spacing(0) * all.unitWorld() / askedWorld);
+    const int level = std::isfinite(finer) ? int(std::lround(std::clamp(finer, 0.0, 30.0))) : 0;
     all.refineTo(level);
     if (all.levels() == 0) return found;
     found.spacing = all.spacing(std::min(level, all.levels() - 1)) * all.unitWorld();
     const FlowValues values(scene, flow);
-    for (const Parts& parts : chainsOf(all.lines(), level + 1))
-        found.lines.push_back(streamlineOf(parts, values, all.unitWorld()));
+    for (const Parts& parts : chainsOf(all.lines(), level + 1)) found.lines.push_back(streamlineOf(parts, values));
     return found;
 }
 

@@ -7,8 +7,8 @@
 namespace aeolic {
 
 /// Evenly spaced streamlines on a scene's surface, about as far apart as `spacingPx` pixels of the view (as
-/// StreamlineStrokes counts them) at the depth of the surface's middle: those of the level whose spacing is nearest.
-/// What finer levels add to a line is part of it. The scene is whole. Cost: EvenStreamlines.
+/// StreamlineStrokes counts them) at the depth of the surface's middle, or as close as EvenStreamlines goes. What finer
+/// levels add to a line is part of it. The scene is whole. Cost: EvenStreamlines.
 EvenSurfaceLines surfaceStreamlines(const Scene& scene, const View& view, double spacingPx);
 
 }  // namespace aeolic

@@ -26,6 +26,9 @@ struct View {
     float vectorFactor = 1, vectorUnit = 1;
     float maskBelow = 0;  ///< No streaks show where the vector is shorter, in kernels' unit.
     bool normalize = true;
+    /// The noise is multiplied by the root of this times the vector's length along the surface, where that is below 1;
+    /// 0: nowhere.
+    float fadePerVector = 0;
     int stepParts = 1;      ///< A step asked for is walked in so many: inShortSteps(). Below, "step" is such a part.
     float stepLocal = 0;    ///< P-space length of a step (normalized), or of a step at the largest magnitude.
     float vectorScale = 0;  ///< Displacement per unit vector where not normalized: stepLocal / the longest.

@@ -190,7 +190,9 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
             }
             const double footprint =
                 1 / (camera.focalPx * p.invDepth * std::sqrt(std::max(std::abs(facing), 1.0 / 16)));
-            p.noise = std::clamp(noiseAt(noise, view.noise, position / view.unitWorld, footprint), -1.0, 1.0);
+            const double fade =
+                view.fadePerVector > 0 ? std::sqrt(std::min(length * double(view.fadePerVector), 1.0)) : 1.0;
+            p.noise = std::clamp(fade * noiseAt(noise, view.noise, position / view.unitWorld, footprint), -1.0, 1.0);
         }
     link(view, image);
     return image;

@@ -14,6 +14,7 @@ export function streaksPart({model, flowing}) {
   const step = lic.add('step', slider, {label: 'Step', unit: 'px', scale: 'log', digits: 2});
   const noiseScale = lic.add('noiseScale', slider, {label: 'Noise', unit: 'texels/px', scale: 'log', digits: 2});
   const normalize = lic.add('normalize', toggle, {label: 'Same length everywhere'});
+  const magnitude = lic.add('magnitude', segments, {label: 'Where it is slow', labels: {none: 'As elsewhere', contrast: 'Fainter', length: 'Shorter'}});
   const kernel = lic.add('kernel', segments, {label: 'Kernel', labels: {box: 'Box', hann: 'Hann'}});
   const evenness = lic.add('streaks', segments, {label: 'Streaks', labels: {even: 'Even', plain: 'Plain'}});
   const phaseRad = lic.add('phase', slider, {label: 'Phase', unit: 'rad'});
@@ -30,7 +31,8 @@ export function streaksPart({model, flowing}) {
     lic.update();
     const chosen = model.options.lic, isOn = chosen.method !== 'none';
     const isDense = chosen.style === 'dense';
-    for (const row of [style, steps, step, noiseScale, normalize, evenness, seed]) row.show(isOn);
+    for (const row of [style, steps, step, noiseScale, magnitude, evenness, seed]) row.show(isOn);
+    normalize.show(isOn && chosen.magnitude !== 'length');
     kernel.show(isOn && isDense && !model.flows);
     animate.show(isOn && isDense);
     exact.show(chosen.method === 'hierarchical');
@@ -44,6 +46,6 @@ export function streaksPart({model, flowing}) {
     speed.show(model.flows);
     speed.set(flowing.speed);
   }
-  const order = [method, style, exact, integrator, steps, step, noiseScale, normalize, maskBelow, kernel, evenness, animate, speed, phaseRad, seed];
+  const order = [method, style, exact, integrator, steps, step, noiseScale, magnitude, normalize, maskBelow, kernel, evenness, animate, speed, phaseRad, seed];
   return {title: 'Streaks', elements: order.map((row) => row.element), update};
 }

@@ -7,9 +7,12 @@
 
 namespace aeolic {
 
-EvenStreamlines::EvenStreamlines(SurfaceMesh mesh, const std::vector<glm::vec3>& vectors)
-    : surface_(std::make_unique<const StreamlineSurface>(std::move(mesh), vectors))
+EvenStreamlines::EvenStreamlines(SurfaceMesh mesh, std::vector<glm::vec3> vectors, double levelWorld)
+    : surface_(std::make_unique<const StreamlineSurface>(std::move(mesh), std::move(vectors))),
+      coarsest_(surface_->size() / 6)
 {
+    if (const double level = levelWorld / surface_->unitWorld(); level > 0 && coarsest_ > 0)
+        coarsest_ = level * std::exp2(std::round(std::log2(coarsest_ / level)));
     constexpr std::size_t count = 1 << 15;
     if (surface_->area() > 0)
         for (std::size_t i = 0; i < count; ++i) places_.push_back(surface_->at(surface_->spread(i, count)));
@@ -24,7 +27,7 @@ double EvenStreamlines::unitWorld() const
 
 double EvenStreamlines::spacing(int level) const
 {
-    return std::ldexp(surface_->size() / 6, -level);
+    return std::ldexp(coarsest_, -level);
 }
 
 bool EvenStreamlines::canRefine() const

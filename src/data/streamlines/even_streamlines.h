@@ -46,7 +46,8 @@ struct OpenEnd {
 class EvenStreamlines {
 public:
     /// `vectors`: [points of the mesh], in the world's axes; NaN where nothing flows. Cost: O(triangles), parallel.
-    EvenStreamlines(SurfaceMesh mesh, const std::vector<glm::vec3>& vectors);
+    /// `levelWorld`: some level has this spacing, world units, where it is above 0.
+    EvenStreamlines(SurfaceMesh mesh, std::vector<glm::vec3> vectors, double levelWorld = 0);
     ~EvenStreamlines();
 
     /// Makes levels up to this one, as long as canRefine(). Cost: about that of the triangles which new lines pass, and
@@ -57,7 +58,7 @@ public:
     /// flow. So nothing is too large or too small for floats.
     double unitWorld() const;
 
-    /// In that unit. Level 0 has the spacing of a sixth of the surface's size.
+    /// In that unit. Level 0 has the spacing of a sixth of the surface's size, or the next to that.
     double spacing(int level) const;
     int levels() const { return levels_; }
     bool canRefine() const;
@@ -72,6 +73,7 @@ public:
 
 private:
     std::unique_ptr<const StreamlineSurface> surface_;
+    double coarsest_ = 0;  // The spacing of level 0.
     std::vector<glm::vec3> places_;
     std::vector<EvenStreamline> lines_;
     std::vector<OpenEnd> ends_;

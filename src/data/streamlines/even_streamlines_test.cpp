@@ -205,6 +205,53 @@ TEST(EvenStreamlines, GoThroughLongTrianglesToTheirEnd)
         EXPECT_NEAR(line.points.back().arc - line.points.front().arc, whole, 0.001f * whole);
 }
 
+/// A box whose sides the flow leaves across sharp edges, and along which it meets: no line runs against its vectors.
+TEST(EvenStreamlines, RunWithTheVectorsAlsoAtSharpEdges)
+{
+    SurfaceMesh mesh;
+    std::vector<glm::vec3> vectors;
+    const auto addSide = [&](const glm::vec3& u, const glm::vec3& v) {
+        constexpr int n = 12;
+        const auto first = std::uint32_t(mesh.positions.size());
+        const glm::vec3 normal = glm::cross(u, v);
+        for (int j = 0; j <= n; ++j)
+            for (int i = 0; i <= n; ++i) {
+                const glm::vec3 at = normal + u * (2 * float(i) / n - 1) + v * (2 * float(j) / n - 1);
+                mesh.positions.push_back(at);
+                mesh.normals.push_back(normal);
+                vectors.push_back(normal.x > 0.5f ? glm::vec3(0.3f, at.y, at.z) : glm::vec3(1, 0.1f, 0.05f * at.z));
+            }
+        for (std::uint32_t j = 0; j < n; ++j)
+            for (std::uint32_t i = 0; i < n; ++i) {
+                const std::uint32_t a = first + j * (n + 1) + i;
+                mesh.triangles.push_back({a, a + 1, a + n + 2});
+                mesh.triangles.push_back({a, a + n + 2, a + n + 1});
+            }
+    };
+    for (const float side : {1.0f, -1.0f}) {
+        addSide({0, side, 0}, {0, 0, 1});
+        addSide({0, 0, side}, {1, 0, 0});
+        addSide({side, 0, 0}, {0, 1, 0});
+    }
+    EvenStreamlines all(mesh, vectors);
+    all.refineTo(4);
+    std::size_t against = 0, segments = 0;
+    for (const EvenStreamline& line : all.lines())
+        for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+            const StreamlinePoint& a = line.points[i];
+            glm::vec3 vector(0);
+            for (int k = 0; k < 3; ++k)
+                vector += float(a.place.weight[k]) * vectors[mesh.triangles[a.place.triangle][std::size_t(k)]];
+            const glm::vec3 way = line.points[i + 1].at - a.at;
+            ++segments;
+            against += glm::dot(way, vector) < 0 ? 1 : 0;
+            // Along an edge at which sides meet a line goes from point to point.
+            EXPECT_LT(glm::length(way), std::max(1.1f * float(all.spacing(line.level)), 0.09f));
+        }
+    EXPECT_GT(segments, 500u);
+    EXPECT_LE(against, segments / 200);
+}
+
 /// A sheet with two sides, a tenth of the spacing apart: each has lines of its own.
 TEST(EvenStreamlines, BothSidesOfAThinPlateHaveThem)
 {

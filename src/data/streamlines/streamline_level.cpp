@@ -9,8 +9,10 @@ namespace aeolic {
 namespace {
 
 /// Parts of a level's spacing: how far a seed is from lines at least, and a line from others; how far apart samples
-/// are, and points at most; the shortest line.
-constexpr float kSeedPart = 0.9f, kLinePart = 0.55f, kSamplePart = 0.25f, kPointPart = 0.5f, kShortest = 1.5f;
+/// are, and points at most; the shortest line, and the least
+/// that one goes on.
+constexpr float kSeedPart = 0.9f, kLinePart = 0.55f, kSamplePart = 0.25f, kPointPart = 0.5f, kShortest = 2,
+                kLeastMore = 1;
 
 /// In spacings: within so much of its own length a line may come as near to itself as it likes. Beyond, it is closed
 /// where it comes back to its seed and misses it by less than the second.
@@ -50,7 +52,10 @@ public:
     }
     void end(std::vector<StreamlinePoint>& out) const
     {
-        if (last_.arc != kept_.arc) out.push_back(last_);
+        if (last_.arc == kept_.arc) return;
+        const bool isNear = std::abs(last_.arc - kept_.arc) < 0.02f * longest_;
+        if (isNear && !out.empty()) out.pop_back();
+        out.push_back(last_);
     }
 
 private:
@@ -102,9 +107,14 @@ StreamlinePoint StreamlineLevel::pointAt(const SurfacePlace& place, float arc) c
 void StreamlineLevel::goOn(const OpenEnd& end)
 {
     const StreamlinePoint from = pointAt(end.place, end.arc);
+    const std::size_t before = near_.count();
     Way way = follow(from, end.direction, end.chain, false);
+    if (way.points.empty() || std::abs(way.points.back().arc - end.arc) < kLeastMore * spacing_) {
+        near_.shrinkTo(before);
+        if (way.isCut) ends_.push_back(end);  // There may be more room on the next level.
+        return;
+    }
     keepEnd(way, from, end.chain, end.direction);
-    if (way.points.empty()) return;
     way.points.insert(way.points.begin(), from);
     if (end.direction < 0) std::reverse(way.points.begin(), way.points.end());
     lines_.push_back({level_, end.chain, std::move(way.points)});
@@ -210,7 +220,8 @@ StreamlineLevel::Way StreamlineLevel::follow(const StreamlinePoint& from, int di
     };
     const LineEnd end = surface_.along().follow(from.place, direction, kLongest * surface_.size() * unit,
                                                 double(kSamplePart * spacing_) * unit, visit);
-    way.isClosed |= mayClose && end == LineEnd::closed;
+    // A line may also end where it comes again and again to one edge that it slides along.
+    way.isClosed |= mayClose && end == LineEnd::closed && glm::distance(before.at, from.at) < kSamplePart * spacing_;
     thinning.end(way.points);
     if (way.isClosed) {
         way.points.push_back(from);

@@ -12,10 +12,19 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+/// At sharp edges each triangle has what the vectors are along it.
+TangentField withSharpEdges(TangentField field, const std::vector<glm::vec3>& vectors, std::vector<std::uint8_t> sharp)
+{
+    field.own = &vectors;
+    field.sharp = std::move(sharp);
+    return field;
+}
+
 /// The field turned by a quarter: its lines run across the flow, to the left.
 TangentField turned(TangentField field)
 {
     for (double& rad : field.rad) rad += rad < 1.5 * kPi ? 0.5 * kPi : -1.5 * kPi;
+    field.turned = true;
     return field;
 }
 
@@ -40,10 +49,11 @@ SurfaceMesh bare(SurfaceMesh mesh)
 
 }  // namespace
 
-StreamlineSurface::StreamlineSurface(SurfaceMesh mesh, const std::vector<glm::vec3>& vectors)
-    : mesh_(bare(std::move(mesh))),
+StreamlineSurface::StreamlineSurface(SurfaceMesh mesh, std::vector<glm::vec3> vectors)
+    : vectors_(std::move(vectors)),
+      mesh_(bare(std::move(mesh))),
       fans_(surfaceFans(mesh_)),
-      flow_(tangentField(mesh_, fans_, vectors)),
+      flow_(withSharpEdges(tangentField(mesh_, fans_, vectors_), vectors_, sharpFans(mesh_, fans_))),
       acrossFlow_(turned(flow_)),
       along_(mesh_, fans_, flow_),
       across_(mesh_, fans_, acrossFlow_),

@@ -12,7 +12,7 @@ namespace aeolic {
 class StreamlineSurface {
 public:
     /// `vectors`: [points of the mesh], in the world's axes; NaN where nothing flows. Cost: O(triangles), parallel.
-    StreamlineSurface(SurfaceMesh mesh, const std::vector<glm::vec3>& vectors);
+    StreamlineSurface(SurfaceMesh mesh, std::vector<glm::vec3> vectors);
     StreamlineSurface(const StreamlineSurface&) = delete;
 
     const SurfaceTracer& along() const { return along_; }
@@ -36,6 +36,7 @@ public:
     SurfacePlace spread(std::size_t which, std::size_t count) const;
 
 private:
+    std::vector<glm::vec3> vectors_;
     SurfaceMesh mesh_;
     SurfaceFans fans_;
     TangentField flow_, acrossFlow_;

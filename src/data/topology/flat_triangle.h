@@ -9,7 +9,7 @@
 namespace aeolic {
 
 /// A triangle laid flat: its first point is the origin, its second lies on the x axis, it turns counterclockwise. The
-/// flow at its corners differs from that in the fans by how curved these are.
+/// flow at its corners differs from that in the fans by how curved these are, or is the vectors' own along it.
 struct FlatTriangle {
     std::array<glm::dvec2, 3> point, flow;
 

@@ -114,4 +114,26 @@ TangentField tangentField(const SurfaceMesh& mesh, const SurfaceFans& fans, cons
     return field;
 }
 
+std::vector<std::uint8_t> sharpFans(const SurfaceMesh& mesh, const SurfaceFans& fans)
+{
+    constexpr double leastCosine = 0.85;
+    const auto normalOf = [&](std::uint32_t corner) {
+        const auto& t = mesh.triangles[corner / 3];
+        const auto at = [&](std::size_t i) { return glm::dvec3(mesh.positions[t[i]]); };
+        return glm::normalize(glm::cross(at(1) - at(0), at(2) - at(0)));
+    };
+    std::vector<std::uint8_t> sharp(fans.fans());
+    parallelRanges(fans.fans(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (auto fan = std::uint32_t(begin); fan < end; ++fan) {
+            glm::dvec3 mean(0);
+            forEachCorner(fans, fan, [&](std::uint32_t c) { mean += fans.cornerRad[c] * normalOf(c); });
+            const double length = glm::length(mean);
+            forEachCorner(fans, fan, [&](std::uint32_t c) {
+                if (!(glm::dot(mean, normalOf(c)) >= leastCosine * length)) sharp[fan] = 1;
+            });
+        }
+    });
+    return sharp;
+}
+
 }  // namespace aeolic

@@ -13,10 +13,19 @@ struct TangentField {
     std::vector<double> rad;           ///< [fans] as SurfaceFans::edgeRad counts.
     std::vector<double> length;        ///< [fans] 0: at rest; NaN: masked.
     std::vector<std::uint8_t> masked;  ///< [triangles] One of its own corners has no vector: no line enters it.
+
+    /// [fans] or empty: at the fan the surface has a sharp edge. A triangle there has what `own`, [points of the mesh],
+    /// are along it, as streaks have it, and not what is carried over from the fan. `own` must last as long as this.
+    std::vector<std::uint8_t> sharp = {};
+    const std::vector<glm::vec3>* own = nullptr;
+    bool turned = false;  ///< By a quarter, counterclockwise.
 };
 
 /// `vectors`: [points of the mesh] in the world's axes. A fan has the mean of those of its corners that are finite, by
 /// the triangles' angles there. Cost: O(triangles), parallel.
 TangentField tangentField(const SurfaceMesh& mesh, const SurfaceFans& fans, const std::vector<glm::vec3>& vectors);
+
+/// [fans] The normals of a fan's triangles are far from their mean. Cost: O(triangles), parallel.
+std::vector<std::uint8_t> sharpFans(const SurfaceMesh& mesh, const SurfaceFans& fans);
 
 }  // namespace aeolic

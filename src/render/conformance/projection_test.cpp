@@ -60,12 +60,13 @@ Differences compare(const reference::PixelImage& expected, const GBuffer& buffer
 
 /// Vertices are snapped to 1/256 pixel before drawing: a pixel centre that close to an edge may belong to either side.
 void expectAgreement(const std::string& backend, Scene scene, const Camera& camera, double scalarTolerance = 0,
-                     Style style = Style::dense)
+                     Style style = Style::dense, Magnitude magnitude = Magnitude::none)
 {
     Stages stages(backend, std::move(scene));
     const bool withScalar = stages.scene.hasScalar;
     LicOptions lic = directLic(16);
     lic.style = style;
+    lic.magnitude = magnitude;
     stages.project(camera, lic);
     const reference::PixelImage expected = reference::project(stages.view, stages.scene, stages.noise);
     const Differences d = compare(expected, *stages.buffer, withScalar, scalarTolerance);
@@ -111,6 +112,17 @@ TEST_P(ProjectionConformance, GrainsOfOrientedStreaks)
             view.zoom = zoom;
             const Camera camera = fitCamera(scene, view, 120, 90);
             expectAgreement(GetParam(), std::move(scene), camera, 0, Style::oriented);
+        }
+    });
+}
+
+TEST_P(ProjectionConformance, NoiseThatFadesWithTheVectors)
+{
+    forEachSimdTarget([&] {
+        for (const Style style : {Style::dense, Style::oriented}) {
+            Scene scene = makeBuiltinScene("torus:800", "abc:24,24,24");
+            const Camera camera = fitCamera(scene, {}, 120, 90);
+            expectAgreement(GetParam(), std::move(scene), camera, 0, style, Magnitude::contrast);
         }
     });
 }
@@ -232,6 +244,34 @@ TEST_P(ProjectionConformance, VectorsInProportionToTheirMagnitude)
             << x;
         EXPECT_EQ(flow_texel::dy(buffer.flow.at(x, 30)), 0) << x;
     }
+}
+
+/// Only the part of a vector along the surface counts.
+TEST_P(ProjectionConformance, NoiseIsLessWhereVectorsAreShort)
+{
+    SurfaceMesh mesh = makeRectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4);
+    setPointVectors(mesh, [](const glm::dvec3& p) { return glm::vec3(1 + p.x, 0, 5); });
+    Stages others(GetParam(), makeScene(mesh)), stages(GetParam(), makeScene(std::move(mesh)));
+    LicOptions lic = directLic(8);
+    const Camera camera = frontCamera(stages.scene, 6, 80, 60);
+    const Image<std::uint32_t>& whole = others.project(camera, lic).flow;
+    lic.magnitude = Magnitude::contrast;
+    const GBuffer& buffer = stages.project(camera, lic);
+    int compared = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x) {
+            if (buffer.invDepth.at(x, y) <= 0) continue;
+            const double along = 1 + positionAt(stages.view.camera, double(buffer.invDepth.at(x, y)), x, y).x;
+            const double part = std::sqrt(along / stages.scene.maxVector);
+            const int before = flow_texel::noise(whole.at(x, y)) - flow_texel::kNoiseZero,
+                      after = flow_texel::noise(buffer.flow.at(x, y)) - flow_texel::kNoiseZero;
+            if (std::abs(before) < flow_texel::kNoiseMost) {
+                EXPECT_NEAR(after, part * before, 1.1) << x << ' ' << y;
+            }
+            EXPECT_EQ(flow_texel::dx(buffer.flow.at(x, y)), flow_texel::dx(whole.at(x, y)));
+            ++compared;
+        }
+    EXPECT_GT(compared, 500);
 }
 
 /// The image direction of a tangent vector is where its ends are projected, perspective included: not its components

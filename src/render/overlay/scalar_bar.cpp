@@ -1,6 +1,7 @@
 #include "render/overlay/scalar_bar.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/overlay/title_lines.h"
@@ -97,11 +98,38 @@ void ScalarBarLayout::drawColors(const PictureRows& picture, const Box& box, con
             {box.x - line_, box.y - line_ - above, box.width + 2 * line_, above + box.height + below + 2 * line_}, ink);
     if (bar_.above) fillBox(picture, {box.x, box.y - above, box.width, end_}, *bar_.above);
     if (bar_.below) fillBox(picture, {box.x, box.bottom() + line_, box.width, end_}, *bar_.below);
+    if (bar_.fill != BarFill::colors) return drawStreaks(picture, box);
     const auto count = double(bar_.colors.size());
     for (int y = 0; y < box.height; ++y) {
         const double part = 1 - (y + 0.5) / box.height;
         fillBox(picture, {box.x, box.y + y, box.width, 1},
                 bar_.colors[std::size_t(std::clamp(part * count, 0.0, count - 1))]);
+    }
+}
+
+void ScalarBarLayout::drawStreaks(const PictureRows& picture, const Box& box) const
+{
+    // Light and dark streaks of uneven widths, along the bar where they fade, and across it where they get shorter.
+    constexpr std::array<double, 12> tones{0.9, -0.5, 0.2, -1, 0.6, -0.2, 1, -0.8, 0.4, -0.6, 0.8, -0.3};
+    const int thickness = std::max(1, wholePx(em_ / 9));
+    const auto shade = [&](double tone) {
+        const auto one = [&](int base) { return std::uint8_t(std::clamp(double(base) + 80 * tone, 0.0, 255.0)); };
+        const Color& mean = bar_.colors.front();
+        return Color{one(mean[0]), one(mean[1]), one(mean[2])};
+    };
+    for (int y = 0; y < box.height; ++y) {
+        const double part = 1 - (y + 0.5) / box.height;
+        if (bar_.fill == BarFill::fadingStreaks) {
+            for (int x = 0; x < box.width; x += thickness) {
+                const double tone = tones[std::size_t(x / thickness) % tones.size()] * std::sqrt(part);
+                fillBox(picture, {box.x + x, box.y + y, std::min(thickness, box.width - x), 1}, shade(tone));
+            }
+        } else {
+            const int length = wholePx(part * box.width);
+            const double tone = tones[std::size_t(y / thickness) % tones.size()];
+            fillBox(picture, {box.x, box.y + y, length, 1}, shade(tone));
+            fillBox(picture, {box.x + length, box.y + y, box.width - length, 1}, bar_.colors.front());
+        }
     }
 }
 

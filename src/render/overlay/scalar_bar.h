@@ -11,6 +11,9 @@
 
 namespace aeolic {
 
+/// What fills a bar: colours, or streaks that fade or get shorter towards the low end.
+enum class BarFill { colors, fadingStreaks, shorterStreaks };
+
 /// What a colour bar tells.
 struct ScalarBar {
     std::vector<Color> colors;  ///< From the low end to the high one, in equal parts of the bar: the surface's own.
@@ -18,6 +21,7 @@ struct ScalarBar {
     ColorScale scale;
     std::string title;                  ///< UTF-8; a long one takes two lines, or ends in an ellipsis.
     std::optional<Color> below, above;  ///< Shown beyond the ends where they are set.
+    BarFill fill = BarFill::colors;     ///< Of streaks: one colour stands in `colors`, their mean.
 };
 
 /// A bar with its title and tick values, laid out for a picture, in a panel that may be put anywhere in it.
@@ -40,6 +44,7 @@ private:
     /// Everything around a bar of box_.height.
     void layOut(int pictureWidth, int mostLines);
     void drawColors(const PictureRows& picture, const Box& box, const Rgb& ink) const;
+    void drawStreaks(const PictureRows& picture, const Box& box) const;
     void drawTicks(const PictureRows& picture, const Box& box, const TextPainter& text, const Rgb& ink) const;
 
     ScalarBar bar_;

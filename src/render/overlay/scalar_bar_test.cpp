@@ -53,6 +53,27 @@ TEST(ScalarBar, RunsFromTheLowColourBelowToTheHighOneAbove)
     EXPECT_NEAR(low.second - high.first + 1, 0.36 * 800, 1);
 }
 
+TEST(ScalarBar, StreaksFadeOrGetShorterTowardsTheLowEnd)
+{
+    for (const BarFill fill : {BarFill::fadingStreaks, BarFill::shorterStreaks}) {
+        Picture picture = filled(800, 800, 3, 255);
+        ScalarBar bar;
+        bar.fill = fill;
+        Figure figure;
+        figure.bars = {bar};
+        figure.bars.front().colors = {Color{170, 170, 170}};
+        drawFigure(picture, figure, FigureLayout(figure, 800, 800), 0);
+        const auto differs = [&](int from, int to) {  // From the mean tone, in rows of the bar.
+            std::int64_t sum = 0;
+            for (int y = from; y < to; ++y)
+                for (int x = 720; x < 740; ++x)
+                    sum += std::abs(int(picture.pixels[std::size_t(3 * (800 * y + x))]) - 170);
+            return sum;
+        };
+        EXPECT_GT(differs(60, 120), differs(200, 260));
+    }
+}
+
 TEST(ScalarBar, SamePixelsEveryTime)
 {
     Picture first = filled(640, 480, 4, 30), second = first;

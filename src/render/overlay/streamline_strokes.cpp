@@ -141,11 +141,22 @@ int levelsFor(const Shows& shows, EvenStreamlines& all)
     return level;
 }
 
+/// How much shows of a line that is short in the picture: a crumb tells nothing.
+float partOfLength(const std::vector<Shown>& shown, const View& view, float headPx)
+{
+    float px = 0;
+    for (std::size_t i = 0; i + 1 < shown.size(); ++i)
+        if (shown[i].way.z >= float(view.nearDepth) && shown[i + 1].way.z >= float(view.nearDepth))
+            px += glm::distance(strokeEnd(view, shown[i].way).px, strokeEnd(view, shown[i + 1].way).px);
+    return smooth(px, 1.5f * headPx, 3 * headPx);
+}
+
 void addLine(const EvenStreamline& line, const std::vector<Shown>& shown, double spacing, const Shows& shows,
-             std::vector<Stroke>& out)
+             float most, std::vector<Stroke>& out)
 {
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-        const float a = shows.part(shown[i].acrossPx, spacing), b = shows.part(shown[i + 1].acrossPx, spacing);
+        const float a = most * shows.part(shown[i].acrossPx, spacing),
+                    b = most * shows.part(shown[i + 1].acrossPx, spacing);
         if (!(a > 0 || b > 0)) continue;
         if (auto stroke = strokeOf(shows.view(), shown[i].way, shown[i + 1].way, a, b)) {
             out.push_back(*stroke);
@@ -154,27 +165,29 @@ void addLine(const EvenStreamline& line, const std::vector<Shown>& shown, double
     }
 }
 
-/// The heads on a line: at its seed and every few spacings from there; on finer levels halfway between.
+/// The heads on a line: one in it and others every few spacings from there; on finer levels halfway between.
 class Heads {
 public:
     Heads(const EvenStreamlines& all, const EvenStreamline& line, const std::vector<Shown>& shown, const Shows& shows,
-          float headPx, int levels)
-        : all_(all), line_(line), shown_(shown), shows_(shows), headPx_(headPx), levels_(levels)
+          float headPx, float most, int levels)
+        : all_(all), line_(line), shown_(shown), shows_(shows), headPx_(headPx), most_(most), levels_(levels)
     {
     }
 
     void addTo(std::vector<Stroke>& out) const
     {
+        const double begin = line_.points.front().arc, end = line_.points.back().arc;
+        const double first = begin + 0.6 * std::min(end - begin, kHeadSpacings * all_.spacing(line_.level));
         float widest = 0;
         for (const Shown& shown : shown_) widest = std::max(widest, shown.acrossPx);
         for (int level = line_.level; level < levels_; ++level) {
             const double spacing = all_.spacing(level), apart = kHeadSpacings * spacing;
             if (!(shows_.part(widest, spacing) > 0)) return;  // Nor does a finer level show.
             const bool isFirst = level == line_.level;
-            const double lo = line_.points.front().arc / apart, hi = line_.points.back().arc / apart;
+            const double lo = (begin - first) / apart, hi = (end - first) / apart;
             std::size_t i = 0;
             for (auto k = std::int64_t(std::ceil(lo)); double(k) <= hi; ++k) {
-                const auto arc = float(double(k) * apart);
+                const auto arc = float(first + double(k) * apart);
                 while (i + 2 < line_.points.size() && line_.points[i + 1].arc < arc) ++i;
                 if (isFirst || k % 2 != 0) add(i, arc, spacing, float(apart), out);
             }
@@ -188,8 +201,10 @@ private:
         const float part = std::clamp((arc - a.arc) / (b.arc - a.arc), 0.0f, 1.0f);
         const Shown& shown = shown_[part < 0.5f ? i : i + 1];
         const float length = glm::length(shown.along);
-        const float shows = std::min(shows_.part(shown.acrossPx, spacing),
-                                     smooth(apart * length, 0.5f * kHeadLengths * headPx_, kHeadLengths * headPx_));
+        const float behindPx = (arc - line_.points.front().arc) * length;  // A head at the tail reads backwards.
+        const float shows =
+            most_ * std::min({shows_.part(shown.acrossPx, spacing), smooth(behindPx, 0.8f * headPx_, 1.2f * headPx_),
+                              smooth(apart * length, 0.5f * kHeadLengths * headPx_, kHeadLengths * headPx_)});
         const glm::vec3 way = shown_[i].way + part * (shown_[i + 1].way - shown_[i].way);
         if (!(shows > 0) || !(way.z >= float(shows_.view().nearDepth))) return;
         Stroke head{strokeEnd(shows_.view(), way, shows), strokeEnd(shows_.view(), way, shows), MarkShape::head};
@@ -203,7 +218,7 @@ private:
     const EvenStreamline& line_;
     const std::vector<Shown>& shown_;
     const Shows& shows_;
-    float headPx_;
+    float headPx_, most_;
     int levels_;
 };
 
@@ -226,8 +241,10 @@ void StreamlineStrokes::draw(const View& view, const SeenSurface& seen, Tile& ou
     parallelFor(lines.size(), [&](std::size_t i) {
         if (lines[i].level >= levels) return;
         const std::vector<Shown> shown = shownOf(lines[i], shows);
-        addLine(lines[i], shown, lines_->spacing(lines[i].level), shows, ofLine[i]);
-        Heads(*lines_, lines[i], shown, shows, look.markPx, levels).addTo(ofLine[i]);
+        const float most = partOfLength(shown, view, look.markPx);
+        if (!(most > 0)) return;
+        addLine(lines[i], shown, lines_->spacing(lines[i].level), shows, most, ofLine[i]);
+        Heads(*lines_, lines[i], shown, shows, look.markPx, most, levels).addTo(ofLine[i]);
     });
     StrokeLayer layer{look, {}};
     for (const std::vector<Stroke>& some : ofLine) layer.strokes.insert(layer.strokes.end(), some.begin(), some.end());

@@ -16,9 +16,10 @@ constexpr int kBand = 16;  ///< Rows that are drawn together.
 /// away than the surface by more than that changes over so many pixels, and by more than this part of the depth.
 constexpr float kSlackPx = 1.5f, kSlackPart = 2e-3f;
 
-/// A stroke with a normal is hidden where the cosine between that and the normal seen is less: on the far side of a
-/// silhouette it is about -1.
-constexpr float kOtherSheet = -0.25f;
+/// A stroke with a normal is hidden where the cosine between that and the normal seen is less: the first where the
+/// normal faces the viewer, the second where it faces away, and what is seen is the other side of the same sheet, or
+/// another one before it.
+constexpr float kOtherSheet = -0.25f, kOtherSide = 0.8f;
 
 /// A head is so wide, as a part of its length.
 constexpr float kHeadWidth = 0.75f;
@@ -99,7 +100,11 @@ bool isHidden(const View& view, const SeenSurface& seen, int x, int y, const Str
     const bool hasNormal = stroke.normal != glm::vec3(0);
     const float surface = seen.invDepth.at(x, y);
     if (!(surface > 0)) return hasNormal;
-    if (hasNormal && glm::dot(stroke.normal, seen.normal(view, x, y)) < kOtherSheet) return true;
+    if (hasNormal) {
+        const bool isAway = glm::dot(stroke.normal, toViewer(view, stroke.a)) < 0;
+        const float cosine = (isAway ? -1.0f : 1.0f) * glm::dot(stroke.normal, seen.normal(view, x, y));
+        if (cosine < (isAway ? kOtherSide : kOtherSheet)) return true;
+    }
     const float gradX = seen.gradX.at(x, y), gradY = seen.gradY.at(x, y);
     const float there = surface + gradX * at.off.x + gradY * at.off.y;
     const float slackPx = kSlackPx + 0.5f * glm::length(at.off);
@@ -136,11 +141,9 @@ std::pair<float, float> columnsNear(const Stroke& stroke, float row, float besid
     return {std::min(a.x, b.x) - beside, std::max(a.x, b.x) + beside};
 }
 
-void cover(const View& view, Stroke stroke, const StrokeLook& look, const SeenSurface& seen, const Extent& band,
+void cover(const View& view, const Stroke& stroke, const StrokeLook& look, const SeenSurface& seen, const Extent& band,
            Coverage& all)
 {
-    if (glm::dot(stroke.normal, toViewer(view, stroke.a)) < 0) stroke.normal = -stroke.normal;
-
     const float beside = reachOf(look, stroke);
     const auto clampTo = [](float value, int least, int most) {
         return int(std::clamp(std::floor(value), float(least), float(most)));

@@ -14,6 +14,7 @@ export const OPTIONS = {
   lic: {method: name('hierarchical', 'none', 'direct', 'hierarchical'), style: name('dense', 'dense', 'oriented'), integrator: name('rk2', 'euler', 'rk2', 'rk4'),
         steps: whole(128, 2, 300, [4, 200]), step: {kind: 'number', above: 0, most: 3, usual: [0.5, 3], default: 1},
         kernel: name('box', 'box', 'hann'), streaks: name('even', 'plain', 'even'), phase: number(0, -100, 100, [0, 6]), flow: name('off', 'off', 'loop'), normalize: isOn,
+        magnitude: name('none', 'none', 'contrast', 'length'),
         noiseScale: number(1, 0.5, 4), maskBelow: {kind: 'number', least: 0, default: 0}, seed: whole(1, 0, 1000, [1, 9])},
   shading: {colormap: name('viridis', ...COLOR_MAPS), colorRange: {kind: 'numbers', count: 2, default: null}, scalarBar: isOn,
             colorScale: {...name('linear', 'linear', 'log'), pattern: '^bands:([2-9]|1[0-6])$'}, nanColor: opaque, belowColor: opaque,

@@ -43,7 +43,7 @@ export function sceneMessage(changes = {}, given = ['ball.vtp'], surfaces = chan
   const surface = specs.join() === given.join() ? 'original' : specs.at(-1);
   return {
     scene: {surface: {spec: specs[0], featureAngle: 20}, ...(surfaces.length > 1 ? {surfaces} : {}), field: {spec: 'flow.vti', vectors},
-            lic: {method: 'hierarchical', style: 'dense', integrator: 'rk2', steps: 128, step: 1, kernel: 'box', streaks: 'even', phase: 0, flow: 'off', normalize: true, noiseScale: 1, seed: 1},
+            lic: {method: 'hierarchical', style: 'dense', integrator: 'rk2', steps: 128, step: 1, kernel: 'box', streaks: 'even', phase: 0, flow: 'off', normalize: true, magnitude: 'none', noiseScale: 1, seed: 1},
             shading: {colorBy, colormap: 'viridis', scalarBar: true, contrast: 1, blend: 0.8, background: 'ffffff', lighting: true, antialias: true, occlusion: false},
             time: {moment: time},
             camera: {azimuth: 30, elevation: 20, roll: 0, zoom: 1, fov: 30}},

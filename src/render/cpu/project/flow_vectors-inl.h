@@ -108,15 +108,27 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& c
     return s;
 }
 
-/// Removes the normal component and gives the vector its length in P-space (paper, section 3: "it has to be made
-/// tangential").
-HWY_INLINE V3 tangentialStep(const Sampled& s, const V3& normal, const View& view)
+/// The vector without its normal component (paper, section 3: "it has to be made tangential").
+HWY_INLINE V3 tangentOf(const Sampled& s, const V3& normal)
 {
-    const DF d;
-    const VF zero = hn::Zero(d);
+    const VF zero = hn::Zero(DF());
     const V3 v{hn::IfThenElse(s.hasVector, s.vector.x, zero), hn::IfThenElse(s.hasVector, s.vector.y, zero),
                hn::IfThenElse(s.hasVector, s.vector.z, zero)};
-    const V3 tangent = mulAdd(normal, hn::Neg(dot(normal, v)), v);
+    return mulAdd(normal, hn::Neg(dot(normal, v)), v);
+}
+
+/// The noise of a pixel, less where the flow along the surface is slow.
+HWY_INLINE VF faded(VF noise, const V3& tangent, const View& view)
+{
+    const DF d;
+    const VF part = hn::Mul(hn::Sqrt(dot(tangent, tangent)), hn::Set(d, view.fadePerVector));
+    return hn::Mul(noise, hn::Sqrt(hn::Min(part, hn::Set(d, 1.0f))));
+}
+
+/// The vector along the surface at its length in P-space.
+HWY_INLINE V3 tangentialStep(const V3& tangent, const View& view)
+{
+    const DF d;
     if (!view.normalize) return scale(tangent, hn::Set(d, view.vectorScale));
     const VF length = hn::Sqrt(dot(tangent, tangent));
     const auto usable = hn::Gt(length, hn::Set(d, view.tinyVector));

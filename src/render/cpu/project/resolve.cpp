@@ -174,10 +174,11 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
             if (parts.masked)
                 hn::StoreU(hn::IfThenElseZero(hn::RebindMask(du, masked), hn::Set(du, 1u)), du,
                            &parts.masked->at(x, y));
-            const V3 step = tangentialStep(sampled, normal, view);
+            const V3 tangent = tangentOf(sampled, normal), step = tangentialStep(tangent, view);
             // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
             const VF footprint = hn::Div(hn::Mul(depth, inverseFocal), hn::Sqrt(hn::Max(faces, hn::Set(d, 1.0f / 16))));
-            const VF grain = sampleNoise(d, noise, view.noise, found.local, footprint);
+            VF grain = sampleNoise(d, noise, view.noise, found.local, footprint);
+            if (view.fadePerVector > 0) grain = faded(grain, tangent, view);
             hn::StoreU(packFlow(step, found.xs, found.ys, invDepth, grain, sampled.hasVector, view), du,
                        &parts.flow->at(x, y));
             if (parts.scalar)

@@ -46,6 +46,7 @@ ViewBlock makeViewBlock(const View& view, int firstRow, int rows)
     block.vectorFactor = view.vectorFactor;
     block.vectorUnit = view.vectorUnit;
     block.grains = view.noise.grains;
+    block.fadePerVector = view.fadePerVector;
     return block;
 }
 

@@ -26,8 +26,9 @@ struct ViewBlock {  // view.glsl
     std::uint32_t normalizeSteps;
     float vectorFactor, vectorUnit;
     std::uint32_t grains;
+    float fadePerVector, unused[3];
 };
-static_assert(sizeof(ViewBlock) == 192);
+static_assert(sizeof(ViewBlock) == 208);
 
 /// The LIC stage computes in tiles of so many pixels squared; a row of workgroups has kRowOfTiles of them, for one
 /// dimension alone may be too short.

@@ -96,11 +96,24 @@ Sampled sampleData(Hit hit, vec3 local)
     return s;
 }
 
-// Without its normal component, at its length in P-space.
-vec3 tangentialStep(Sampled s, vec3 normal)
+// Without its normal component.
+vec3 tangentOf(Sampled s, vec3 normal)
 {
     vec3 v = s.hasVector ? s.vector : vec3(0.0);
-    vec3 tangent = along(v, normal, -dot3(normal, v));
+    return along(v, normal, -dot3(normal, v));
+}
+
+// Less where the flow along the surface is slow.
+float faded(float noise, vec3 tangent)
+{
+    precise float part = sqrt(dot3(tangent, tangent)) * view.fadePerVector;
+    precise float shown = noise * sqrt(min(part, 1.0));
+    return shown;
+}
+
+// At its length in P-space.
+vec3 tangentialStep(vec3 tangent)
+{
     precise float size = sqrt(dot3(tangent, tangent));
     precise vec3 step = tangent * (!view.normalizeSteps ? view.vectorScale : size > view.tinyVector ? view.stepLocal / size : 0.0);
     return step;
@@ -154,7 +167,10 @@ void main()
     if (s.hasVector) {
         // The footprint grows with foreshortening, by the geometric mean of its two sides; beyond 16:1 no further.
         precise float footprint = (depth * view.inverseFocal) / sqrt(max(faces, 1.0 / 16.0));
-        flow = packFlow(tangentialStep(s, normal), xs, ys, invDepth, sampleNoise(local, footprint));
+        vec3 tangent = tangentOf(s, normal);
+        float noise = sampleNoise(local, footprint);
+        if (view.fadePerVector > 0.0) noise = faded(noise, tangent);
+        flow = packFlow(tangentialStep(tangent), xs, ys, invDepth, noise);
     }
     float scalar = s.scalar;
 #else

@@ -13,4 +13,5 @@ layout(std140, binding = 0) uniform ViewBlock {
     bool normalizeSteps;
     float vectorFactor, vectorUnit;  // Between the data's unit of vectors and the kernels'.
     bool grains;  // The noise's texels are grains or nothing (render/lic/noise.h).
+    float fadePerVector;
 } view;
