@@ -281,6 +281,7 @@ void drawStrokes(const View& view, const std::vector<StrokeLayer>& layers, const
     const Extent& rows = seen.rows();
     if (rows.empty()) return;
     std::vector<Bands> bands;
+    bands.reserve(layers.size());
     for (const StrokeLayer& layer : layers) bands.emplace_back(layer, rows);
     parallelFor(std::size_t(Bands::bandsIn(rows)), [&](std::size_t i) {
         Extent band = rows;
