@@ -281,7 +281,7 @@ protected:
 
     std::string write(const std::string& text) const
     {
-        const std::string path = (folder_ / "scene.json").string();
+        std::string path = (folder_ / "scene.json").string();
         std::ofstream(path) << text;
         return path;
     }

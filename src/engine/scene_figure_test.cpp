@@ -160,6 +160,7 @@ TEST(SceneFigure, TheLegendsCornerIsTheSameWhicheverFrameIsDrawnFirst)
         if (surface[0] == 'w') scene.time.range = {{0, 4}};
         Renderer all(scene);
         std::vector<Picture> pictures;
+        pictures.reserve(5);
         for (int frame = 0; frame < 5; ++frame) pictures.push_back(all.render({AnimationFrame{frame}}));
         EXPECT_EQ(Renderer(scene).render({AnimationFrame{3}}).pixels, pictures[3].pixels);
         scene.run.threads = 1;
