@@ -206,9 +206,9 @@ public:
     FlowTopology topology();
 
     /// Streamlines on the whole surface that is shown now, as far apart in the world as `shading.overlay` says, else 24
-    /// pixels, where the surface's middle is in the description's first view.
-    /// The same on all ranks, and from any number of threads. Throws InputError where the surface or its field is in
-    /// pieces. Cost: O(triangles), parallel, and that of the lines, each time.
+    /// pixels, where the surface's middle is in the description's first view. All ranks get the same lines, from any
+    /// number of threads. Throws InputError where the surface or its field is in pieces. Cost: O(triangles), parallel,
+    /// and that of the lines, each time.
     EvenSurfaceLines streamlines();
 
     /// What the picture shows at pixel (x, y), counted from the upper left; nothing on the background. `camera`:

@@ -29,7 +29,7 @@ inline constexpr auto overlayListPattern =
 /// Reads "none" or a list in which nothing stands twice: "streamlines:16,topology". Nothing where it is not one.
 std::optional<Overlays> parseOverlays(std::string_view text);
 
-/// The same of a text that was checked.
+/// Reads such a text that was checked before.
 Overlays overlaysOf(std::string_view text);
 
 /// It is a list, or one of the names.

@@ -5,23 +5,18 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/mixed_bits.h"
+
 namespace aeolic {
 namespace {
 
 /// Corners of less weight are left out: points of a surface that are corners of the volume are so up to rounding.
 constexpr double kLeastWeight = 1e-3;
 
-std::uint64_t mixed(std::uint64_t bits)  // SplitMix64's last step.
-{
-    bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9U;
-    bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBU;
-    return bits ^ (bits >> 31);
-}
-
 std::uint64_t keyOf(const glm::dvec3& place)
 {
     std::uint64_t key = 0;
-    for (int c = 0; c < 3; ++c) key = mixed(key + std::bit_cast<std::uint64_t>(place[c] + 0.0));  // No -0.
+    for (int c = 0; c < 3; ++c) key = mixedBits(key + std::bit_cast<std::uint64_t>(place[c] + 0.0));  // No -0.
     return key;
 }
 

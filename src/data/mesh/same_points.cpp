@@ -24,4 +24,13 @@ std::vector<std::uint32_t> firstsOfPlaces(const std::vector<glm::vec3>& position
     return first;
 }
 
+std::vector<Triangle> joinedTriangles(const SurfaceMesh& mesh)
+{
+    const std::vector<std::uint32_t> first = firstsOfPlaces(mesh.positions);
+    std::vector<Triangle> triangles = mesh.triangles;
+    for (Triangle& triangle : triangles)
+        for (std::uint32_t& point : triangle) point = first[point];
+    return triangles;
+}
+
 }  // namespace aeolic

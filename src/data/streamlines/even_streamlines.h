@@ -15,7 +15,7 @@ class StreamlineSurface;
 /// A place on a streamline.
 struct StreamlinePoint {
     glm::vec3 at{0};      ///< World axes, beside the surface's originWorld; in EvenStreamlines::unitWorld().
-    glm::vec3 normal{0};  ///< Of the triangle, unit length.
+    glm::vec3 normal{0};  ///< The triangle's, unit length.
     float arc = 0;        ///< Along the line from its seed on, in the same unit; less than 0 upstream.
     SurfacePlace place;
 };
@@ -41,8 +41,8 @@ struct OpenEnd {
 /// "Multiresolution flow visualization", WSCG 2001). Where a line is never depends on the view. So lines stay on the
 /// surface while the camera moves, and a picture chooses for each place the levels that it has room for.
 ///
-/// Distances are measured through space, between places that face the same way. The same lines from any number of
-/// threads.
+/// Distances are measured through space, between places that face the same way. The lines do not depend on the number
+/// of threads.
 class EvenStreamlines {
 public:
     /// `vectors`: [points of the mesh], in the world's axes; NaN where nothing flows. Cost: O(triangles), parallel.

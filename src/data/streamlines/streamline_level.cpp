@@ -9,8 +9,7 @@ namespace aeolic {
 namespace {
 
 /// Parts of a level's spacing: how far a seed is from lines at least, and a line from others; how far apart samples
-/// are, and points at most; the shortest line, and the least
-/// that one goes on.
+/// are, and points at most; how long a line is at least, and what a finer level adds to one.
 constexpr float kSeedPart = 0.9f, kLinePart = 0.55f, kSamplePart = 0.25f, kPointPart = 0.5f, kShortest = 2,
                 kLeastMore = 1;
 
@@ -176,24 +175,18 @@ void StreamlineLevel::tryLine(const SurfacePlace& seed)
     lines_.push_back({level_, chain, std::move(points)});
 }
 
-/// A line keeps its distance from all others, and from itself. Returns false where it ends.
-bool StreamlineLevel::hasRoom(const StreamlinePoint& seed, const StreamlinePoint& point, const glm::vec3& ahead,
-                              std::uint32_t chain, Way& way) const
+/// A line has come back to its seed, so that it can be closed, or will in a moment.
+bool StreamlineLevel::isBack(const StreamlinePoint& seed, const StreamlinePoint& point, const glm::vec3& ahead) const
 {
-    const LineSample sample = sampleOf(point, chain);
-    const glm::vec3 back = seed.at - point.at;
-    const float radius = kLinePart * spacing_, left = glm::dot(back, ahead);
-    const bool isBack = std::abs(point.arc - seed.arc) > kOwnArc * spacing_ && glm::length(back) < radius &&
-                        glm::length(back - left * ahead) < kMissed * spacing_;
-    if (!way.mayClose || !isBack) return !(way.isCut = !near_.isFree(sample, radius, kOwnArc * spacing_));
-    way.isClosed = left < kSamplePart * spacing_;
-    return !way.isClosed;
+    const glm::vec3 way = seed.at - point.at;
+    return std::abs(point.arc - seed.arc) > kOwnArc * spacing_ && glm::length(way) < kLinePart * spacing_ &&
+           glm::length(way - glm::dot(way, ahead) * ahead) < kMissed * spacing_;
 }
 
 StreamlineLevel::Way StreamlineLevel::follow(const StreamlinePoint& from, int direction, std::uint32_t chain,
                                              bool mayClose)
 {
-    Way way{{}, from.place, mayClose};
+    Way way{{}, from.place};
     Thinning thinning(from, kPointPart * spacing_);
     StreamlinePoint before = from;
     float looked = 0;
@@ -209,8 +202,15 @@ StreamlineLevel::Way StreamlineLevel::follow(const StreamlinePoint& from, int di
             there.at = before.at + part * (point.at - before.at);
             there.arc = before.arc + part * (point.arc - before.arc);
             const glm::vec3 ahead = point.at - before.at;
-            if (glm::length(ahead) > 0 && !hasRoom(from, there, glm::normalize(ahead), chain, way)) return false;
-            near_.add(sampleOf(there, chain));
+            if (!(glm::length(ahead) > 0)) break;
+            const LineSample sample = sampleOf(there, chain);
+            if (mayClose && isBack(from, there, glm::normalize(ahead))) {
+                way.isClosed = glm::dot(from.at - there.at, glm::normalize(ahead)) < kSamplePart * spacing_;
+            } else {
+                way.isCut = !near_.isFree(sample, kLinePart * spacing_, kOwnArc * spacing_);
+            }
+            if (way.isClosed || way.isCut) return false;
+            near_.add(sample);
             looked = walked;
         }
         way.last = place;

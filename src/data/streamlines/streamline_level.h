@@ -24,7 +24,7 @@ private:
     struct Way {
         std::vector<StreamlinePoint> points;
         SurfacePlace last;
-        bool mayClose = false, isCut = false, isClosed = false;
+        bool isCut = false, isClosed = false;
     };
 
     void goOn(const OpenEnd& end);
@@ -32,8 +32,7 @@ private:
     void seedBeside(const StreamlinePoint& point, const glm::vec3& along);
     void tryLine(const SurfacePlace& seed);
     Way follow(const StreamlinePoint& from, int direction, std::uint32_t chain, bool mayClose);
-    bool hasRoom(const StreamlinePoint& seed, const StreamlinePoint& point, const glm::vec3& ahead, std::uint32_t chain,
-                 Way& way) const;
+    bool isBack(const StreamlinePoint& seed, const StreamlinePoint& point, const glm::vec3& ahead) const;
     void keepEnd(const Way& way, const StreamlinePoint& from, std::uint32_t chain, int direction);
     void addSamples(const EvenStreamline& line);
     StreamlinePoint pointAt(const SurfacePlace& place, float arc) const;

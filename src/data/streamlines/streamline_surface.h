@@ -18,12 +18,12 @@ public:
     const SurfaceTracer& along() const { return along_; }
     const SurfaceTracer& across() const { return across_; }
 
-    /// World axes, beside the mesh's originWorld.
+    /// Where a place is: world axes, beside the mesh's originWorld.
     glm::vec3 at(const SurfacePlace& place) const
     {
         return glm::vec3((positionWorld(mesh_, place) - mesh_.originWorld) / unitWorld_);
     }
-    /// Of the triangle, unit length.
+    /// The normal of a triangle, unit length.
     glm::vec3 normal(std::uint32_t triangle) const;
 
     /// None of its corners is masked, and the flow does not rest at all of them.
@@ -36,10 +36,9 @@ public:
     SurfacePlace spread(std::size_t which, std::size_t count) const;
 
 private:
-    std::vector<glm::vec3> vectors_;
     SurfaceMesh mesh_;
     SurfaceFans fans_;
-    TangentField flow_, acrossFlow_;
+    TangentField flow_;
     SurfaceTracer along_, across_;
     std::vector<double> areas_;  // [triangles] Of all up to this one.
     double size_ = 0, unitWorld_ = 1;

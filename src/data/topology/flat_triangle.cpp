@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "data/topology/surface_place.h"
+
 namespace aeolic {
 
 FlatTriangle::FlatTriangle(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
@@ -21,14 +23,19 @@ FlatTriangle::FlatTriangle(const SurfaceMesh& mesh, const SurfaceFans& fans, con
         const double curved = 0.5 * fans.cornerRad[c] * (1 - fans.scale[fan]);  // Half of it beside either edge.
         const double rad = sideRad[i] + wrapped(field.rad[fan] - fans.edgeRad[c]) + curved;
         flow[i] = field.length[fan] * glm::dvec2(std::cos(rad), std::sin(rad));
-        if (field.own && field.sharp[fan]) {
-            const glm::dvec3 ahead = (at(1) - at(0)) / base, normal = glm::cross(ahead, at(2) - at(0)),
-                             left = glm::normalize(glm::cross(normal, ahead)),
-                             vector((*field.own)[mesh.triangles[triangle][i]]);
-            flow[i] = {glm::dot(vector, ahead), glm::dot(vector, left)};
-            if (field.turned) flow[i] = {-flow[i].y, flow[i].x};
-        }
+        if (field.sharp.empty() || !field.sharp[fan]) continue;
+        const glm::dvec3 ahead = (at(1) - at(0)) / base,
+                         left = glm::cross(glm::normalize(areaVector(mesh, triangle)), ahead),
+                         vector(field.own[mesh.triangles[triangle][i]]);
+        flow[i] = {glm::dot(vector, ahead), glm::dot(vector, left)};
     }
+}
+
+FlatTriangle FlatTriangle::turned() const
+{
+    FlatTriangle triangle = *this;
+    for (glm::dvec2& vector : triangle.flow) vector = {-vector.y, vector.x};
+    return triangle;
 }
 
 glm::dvec3 FlatTriangle::weightsOf(const glm::dvec2& place) const

@@ -15,6 +15,9 @@ struct FlatTriangle {
 
     FlatTriangle(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field, std::uint32_t triangle);
 
+    /// With the flow turned by a quarter, counterclockwise.
+    FlatTriangle turned() const;
+
     glm::dvec2 at(const glm::dvec3& weight) const
     {
         return weight.x * point[0] + weight.y * point[1] + weight.z * point[2];

@@ -86,10 +86,7 @@ double SurfaceFans::transportRad(std::uint32_t halfEdge) const
 SurfaceFans surfaceFans(const SurfaceMesh& mesh)
 {
     SurfaceFans fans;
-    const std::vector<std::uint32_t> first = firstsOfPlaces(mesh.positions);
-    fans.triangles = mesh.triangles;
-    for (Triangle& triangle : fans.triangles)
-        for (std::uint32_t& point : triangle) point = first[point];
+    fans.triangles = joinedTriangles(mesh);
     measureCorners(mesh.positions, fans);
     findTwins(mesh.positions.size(), fans);
     const std::size_t corners = 3 * fans.triangles.size();

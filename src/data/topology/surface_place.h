@@ -13,6 +13,13 @@ struct SurfacePlace {
     glm::dvec3 weight{0};
 };
 
+/// Along the triangle's normal, and twice as long as its area is large.
+inline glm::dvec3 areaVector(const SurfaceMesh& mesh, std::uint32_t triangle)
+{
+    const auto at = [&](std::size_t i) { return glm::dvec3(mesh.positions[mesh.triangles[triangle][i]]); };
+    return glm::cross(at(1) - at(0), at(2) - at(0));
+}
+
 inline glm::dvec3 positionWorld(const SurfaceMesh& mesh, const SurfacePlace& place)
 {
     const auto& corners = mesh.triangles[place.triangle];

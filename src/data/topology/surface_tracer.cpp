@@ -95,6 +95,12 @@ glm::dvec3 cleaned(glm::dvec3 weight)
 
 }  // namespace
 
+FlatTriangle SurfaceTracer::flat(std::uint32_t triangle) const
+{
+    const FlatTriangle found(mesh_, fans_, field_, triangle);
+    return along_ == Along::flow ? found : found.turned();
+}
+
 /// Returns false where the line ends here.
 bool SurfaceTracer::add(Walk& walk) const
 {
@@ -113,7 +119,7 @@ std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk) const
         walk.end = LineEnd::masked;
         return {};
     }
-    const FlatTriangle flat(mesh_, fans_, field_, t);
+    const FlatTriangle flat = this->flat(t);
     const glm::dmat2 derivative = flat.derivative();
     const double change = std::sqrt(glm::dot(derivative[0], derivative[0]) + glm::dot(derivative[1], derivative[1]));
     const double fastest = std::max({glm::length(flat.flow[0]), glm::length(flat.flow[1]), glm::length(flat.flow[2])}),
@@ -150,7 +156,7 @@ bool SurfaceTracer::passPoint(Walk& walk, std::uint32_t corner) const
         walk.end = LineEnd::rest;
         return false;
     }
-    double rad = field_.rad[fan] + (walk.direction < 0 ? kPi : 0);
+    double rad = field_.rad[fan] + (walk.direction < 0 ? kPi : 0) + (along_ == Along::acrossFlow ? 0.5 * kPi : 0);
     if (rad >= 2 * kPi) rad -= 2 * kPi;
     std::optional<std::uint32_t> into;
     forEachCorner(fans_, fan, [&](std::uint32_t c) {
@@ -173,7 +179,7 @@ bool SurfaceTracer::passPoint(Walk& walk, std::uint32_t corner) const
 bool SurfaceTracer::slide(Walk& walk, std::uint32_t halfEdge) const
 {
     const auto along = [&](std::uint32_t h, const glm::dvec3& weight) {
-        const FlatTriangle flat(mesh_, fans_, field_, h / 3);
+        const FlatTriangle flat = this->flat(h / 3);
         const std::size_t from = h % 3, to = nextInTriangle(h) % 3;
         return double(walk.direction) * glm::dot(flat.flowAt(weight), flat.point[to] - flat.point[from]);
     };
@@ -207,7 +213,7 @@ bool SurfaceTracer::enter(Walk& walk, std::uint32_t halfEdge) const
     walk.at.weight = glm::dvec3(0);
     walk.at.weight[int(twin % 3)] = there;
     walk.at.weight[int(nextInTriangle(twin) % 3)] = 1 - there;
-    const FlatTriangle flat(mesh_, fans_, field_, twin / 3);
+    const FlatTriangle flat = this->flat(twin / 3);
     const glm::dvec2 flow = double(walk.direction) * flat.flowAt(walk.at.weight),
                      side = flat.point[nextInTriangle(twin) % 3] - flat.point[twin % 3];
     if (side.x * flow.y - side.y * flow.x > 0) return true;  // The triangle is to the left of its sides.

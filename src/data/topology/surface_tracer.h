@@ -23,12 +23,16 @@ struct SurfaceLine {
     double lengthWorld = 0;
 };
 
+/// Which lines a tracer follows: those along the flow, or those that cross it at right angles, to the left.
+enum class Along { flow, acrossFlow };
+
 /// Follows the flow on a surface, from triangle to triangle. In each the flow is linear.
 class SurfaceTracer {
 public:
     /// All have to last as long as this.
-    SurfaceTracer(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field)
-        : mesh_(mesh), fans_(fans), field_(field)
+    SurfaceTracer(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
+                  Along along = Along::flow)
+        : mesh_(mesh), fans_(fans), field_(field), along_(along)
     {
     }
 
@@ -40,7 +44,8 @@ public:
     /// Called for each place on a line, the first included, with the way to it. Returns false to end the line there.
     using Visit = std::function<bool(const SurfacePlace& place, double lengthWorld)>;
 
-    /// The same line, place by place. Places are no farther apart than `stepWorld` and a triangle.
+    /// Follows the line that trace() gives, and visits its places, which are no farther apart than `stepWorld` and a
+    /// triangle. Where the line runs along an edge, from one end to the other, they are as far apart as that is long.
     LineEnd follow(const SurfacePlace& from, int direction, double longestWorld, double stepWorld,
                    const Visit& visit) const;
 
@@ -57,6 +62,7 @@ private:
         LineEnd end = LineEnd::longest;
         std::unordered_map<std::uint32_t, std::vector<double>> entered = {};  // Where half-edges were crossed.
     };
+    FlatTriangle flat(std::uint32_t triangle) const;
     LineEnd walk(Walk walk) const;
     std::optional<std::uint32_t> walkThrough(Walk& walk) const;
     bool enter(Walk& walk, std::uint32_t halfEdge) const;
@@ -67,6 +73,7 @@ private:
     const SurfaceMesh& mesh_;
     const SurfaceFans& fans_;
     const TangentField& field_;
+    Along along_;
 };
 
 }  // namespace aeolic

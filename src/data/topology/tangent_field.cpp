@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "data/topology/surface_place.h"
 
 namespace aeolic {
 namespace {
@@ -117,11 +118,7 @@ TangentField tangentField(const SurfaceMesh& mesh, const SurfaceFans& fans, cons
 std::vector<std::uint8_t> sharpFans(const SurfaceMesh& mesh, const SurfaceFans& fans)
 {
     constexpr double leastCosine = 0.85;
-    const auto normalOf = [&](std::uint32_t corner) {
-        const auto& t = mesh.triangles[corner / 3];
-        const auto at = [&](std::size_t i) { return glm::dvec3(mesh.positions[t[i]]); };
-        return glm::normalize(glm::cross(at(1) - at(0), at(2) - at(0)));
-    };
+    const auto normalOf = [&](std::uint32_t corner) { return glm::normalize(areaVector(mesh, corner / 3)); };
     std::vector<std::uint8_t> sharp(fans.fans());
     parallelRanges(fans.fans(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (auto fan = std::uint32_t(begin); fan < end; ++fan) {

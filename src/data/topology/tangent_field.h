@@ -14,11 +14,10 @@ struct TangentField {
     std::vector<double> length;        ///< [fans] 0: at rest; NaN: masked.
     std::vector<std::uint8_t> masked;  ///< [triangles] One of its own corners has no vector: no line enters it.
 
-    /// [fans] or empty: at the fan the surface has a sharp edge. A triangle there has what `own`, [points of the mesh],
-    /// are along it, as streaks have it, and not what is carried over from the fan. `own` must last as long as this.
+    /// [fans] or empty: at these the surface has a sharp edge. A triangle there has what `own` is along it, as streaks
+    /// have it, and not what is carried over from the fan.
     std::vector<std::uint8_t> sharp = {};
-    const std::vector<glm::vec3>* own = nullptr;
-    bool turned = false;  ///< By a quarter, counterclockwise.
+    std::vector<glm::vec3> own = {};  ///< [points of the mesh] where `sharp` is not empty.
 };
 
 /// `vectors`: [points of the mesh] in the world's axes. A fan has the mean of those of its corners that are finite, by

@@ -43,11 +43,7 @@ std::vector<Stroke> strokesIn(std::size_t count, const Find& find)
 template <class Visit>
 void forEachEdge(const SurfaceMesh& mesh, const Visit& visit)
 {
-    std::vector<Triangle> triangles = mesh.triangles;
-    const std::vector<std::uint32_t> first = firstsOfPlaces(mesh.positions);
-    for (Triangle& triangle : triangles)
-        for (std::uint32_t& point : triangle) point = first[point];
-    const std::vector<std::uint32_t> ring = ringEdges(triangles, mesh.positions.size());
+    const std::vector<std::uint32_t> ring = ringEdges(joinedTriangles(mesh), mesh.positions.size());
     std::vector<bool> isVisited(ring.size());
     std::vector<std::uint32_t> halfEdges;
     for (std::uint32_t h = 0; h < ring.size(); ++h) {

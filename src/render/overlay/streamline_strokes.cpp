@@ -36,9 +36,9 @@ struct Shown {
 };
 
 /// How lines show in a view. Lengths count in the lines' unit.
-class Shows {
+class LineView {
 public:
-    Shows(const View& view, double unitWorld, float spacingPx)
+    LineView(const View& view, double unitWorld, float spacingPx)
         : view_(view), unitWorld_(unitWorld), unit_(float(unitWorld / view.unitWorld)), spacingPx_(spacingPx)
     {
     }
@@ -105,23 +105,23 @@ bool isNearPicture(const View& view, const glm::vec2& px, float beside)
            px.y < float(view.camera.height) + beside;
 }
 
-std::vector<Shown> shownOf(const EvenStreamline& line, const Shows& shows)
+std::vector<Shown> shownOf(const EvenStreamline& line, const LineView& lineView)
 {
     std::vector<Shown> shown;
     for (std::size_t i = 0; i < line.points.size(); ++i)
-        shown.push_back(shows.of(line.points[i], directionAt(line.points, i)));
+        shown.push_back(lineView.of(line.points[i], directionAt(line.points, i)));
     return shown;
 }
 
 /// The most that a unit of length is in the picture at any of these places.
 template <class PlaceOf>
-float widestPx(const Shows& shows, std::size_t count, const PlaceOf& placeOf)
+float widestPx(const LineView& lineView, std::size_t count, const PlaceOf& placeOf)
 {
     constexpr std::size_t grain = 4096;
     std::vector<float> widest((count + grain - 1) / grain);
     parallelFor(widest.size(), [&](std::size_t part) {
         for (std::size_t i = part * grain; i < std::min(count, (part + 1) * grain); ++i)
-            widest[part] = std::max(widest[part], shows.unitPx(placeOf(i)));
+            widest[part] = std::max(widest[part], lineView.unitPx(placeOf(i)));
     });
     return widest.empty() ? 0 : *std::max_element(widest.begin(), widest.end());
 }
@@ -129,11 +129,11 @@ float widestPx(const Shows& shows, std::size_t count, const PlaceOf& placeOf)
 /// How many levels show somewhere in the picture, or near it. It follows from the view alone, never from how many there
 /// are already: those are made that are missing. Where no place of the surface that is known is near the picture the
 /// view is so close that all levels count.
-int levelsFor(const Shows& shows, EvenStreamlines& all)
+int levelsFor(const LineView& lineView, EvenStreamlines& all)
 {
-    const float widest = widestPx(shows, all.places().size(), [&](std::size_t i) { return all.places()[i]; });
+    const float widest = widestPx(lineView, all.places().size(), [&](std::size_t i) { return all.places()[i]; });
     int level = 0;
-    while (widest == 0 || shows.isWanted(widest, all.spacing(level))) {
+    while (widest == 0 || lineView.isWanted(widest, all.spacing(level))) {
         all.refineTo(level);
         if (all.levels() <= level) break;
         ++level;
@@ -151,14 +151,14 @@ float partOfLength(const std::vector<Shown>& shown, const View& view, float head
     return smooth(px, 1.5f * headPx, 3 * headPx);
 }
 
-void addLine(const EvenStreamline& line, const std::vector<Shown>& shown, double spacing, const Shows& shows,
-             float most, std::vector<Stroke>& out)
+void addLine(const EvenStreamline& line, const std::vector<Shown>& shown, double spacing, const LineView& lineView,
+             float linePart, std::vector<Stroke>& out)
 {
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-        const float a = most * shows.part(shown[i].acrossPx, spacing),
-                    b = most * shows.part(shown[i + 1].acrossPx, spacing);
+        const float a = linePart * lineView.part(shown[i].acrossPx, spacing),
+                    b = linePart * lineView.part(shown[i + 1].acrossPx, spacing);
         if (!(a > 0 || b > 0)) continue;
-        if (auto stroke = strokeOf(shows.view(), shown[i].way, shown[i + 1].way, a, b)) {
+        if (auto stroke = strokeOf(lineView.view(), shown[i].way, shown[i + 1].way, a, b)) {
             out.push_back(*stroke);
             out.back().normal = line.points[i].normal;
         }
@@ -168,9 +168,15 @@ void addLine(const EvenStreamline& line, const std::vector<Shown>& shown, double
 /// The heads on a line: one in it and others every few spacings from there; on finer levels halfway between.
 class Heads {
 public:
-    Heads(const EvenStreamlines& all, const EvenStreamline& line, const std::vector<Shown>& shown, const Shows& shows,
-          float headPx, float most, int levels)
-        : all_(all), line_(line), shown_(shown), shows_(shows), headPx_(headPx), most_(most), levels_(levels)
+    Heads(const EvenStreamlines& all, const EvenStreamline& line, const std::vector<Shown>& shown,
+          const LineView& lineView, float headPx, float linePart, int levels)
+        : all_(all),
+          line_(line),
+          shown_(shown),
+          lineView_(lineView),
+          headPx_(headPx),
+          linePart_(linePart),
+          levels_(levels)
     {
     }
 
@@ -182,7 +188,7 @@ public:
         for (const Shown& shown : shown_) widest = std::max(widest, shown.acrossPx);
         for (int level = line_.level; level < levels_; ++level) {
             const double spacing = all_.spacing(level), apart = kHeadSpacings * spacing;
-            if (!(shows_.part(widest, spacing) > 0)) return;  // Nor does a finer level show.
+            if (!(lineView_.part(widest, spacing) > 0)) return;  // Nor does a finer level show.
             const bool isFirst = level == line_.level;
             const double lo = (begin - first) / apart, hi = (end - first) / apart;
             std::size_t i = 0;
@@ -203,12 +209,13 @@ private:
         const float length = glm::length(shown.along);
         const float behindPx = (arc - line_.points.front().arc) * length;  // A head at the tail reads backwards.
         const float shows =
-            most_ * std::min({shows_.part(shown.acrossPx, spacing), smooth(behindPx, 0.8f * headPx_, 1.2f * headPx_),
-                              smooth(apart * length, 0.5f * kHeadLengths * headPx_, kHeadLengths * headPx_)});
+            linePart_ *
+            std::min({lineView_.part(shown.acrossPx, spacing), smooth(behindPx, 0.8f * headPx_, 1.2f * headPx_),
+                      smooth(apart * length, 0.5f * kHeadLengths * headPx_, kHeadLengths * headPx_)});
         const glm::vec3 way = shown_[i].way + part * (shown_[i + 1].way - shown_[i].way);
-        if (!(shows > 0) || !(way.z >= float(shows_.view().nearDepth))) return;
-        Stroke head{strokeEnd(shows_.view(), way, shows), strokeEnd(shows_.view(), way, shows), MarkShape::head};
-        if (!isNearPicture(shows_.view(), head.a.px, headPx_)) return;
+        if (!(shows > 0) || !(way.z >= float(lineView_.view().nearDepth))) return;
+        Stroke head{strokeEnd(lineView_.view(), way, shows), strokeEnd(lineView_.view(), way, shows), MarkShape::head};
+        if (!isNearPicture(lineView_.view(), head.a.px, headPx_)) return;
         head.b.px += shown.along / length;
         head.normal = a.normal;
         out.push_back(head);
@@ -217,8 +224,8 @@ private:
     const EvenStreamlines& all_;
     const EvenStreamline& line_;
     const std::vector<Shown>& shown_;
-    const Shows& shows_;
-    float headPx_, most_;
+    const LineView& lineView_;
+    float headPx_, linePart_;
     int levels_;
 };
 
@@ -233,18 +240,18 @@ float spacingIn(const Camera& camera, double spacingPx)
 void StreamlineStrokes::draw(const View& view, const SeenSurface& seen, Tile& out) const
 {
     const StrokeLook look = kLine.in(view.camera);
-    const Shows shows(view, lines_->unitWorld(), spacingIn(view.camera, double(spacingPx_)));
-    const int levels = levelsFor(shows, *lines_);
+    const LineView lineView(view, lines_->unitWorld(), spacingIn(view.camera, double(spacingPx_)));
+    const int levels = levelsFor(lineView, *lines_);
     if (seen.rows().empty()) return;
     const std::vector<EvenStreamline>& lines = lines_->lines();
     std::vector<std::vector<Stroke>> ofLine(lines.size());
     parallelFor(lines.size(), [&](std::size_t i) {
         if (lines[i].level >= levels) return;
-        const std::vector<Shown> shown = shownOf(lines[i], shows);
-        const float most = partOfLength(shown, view, look.markPx);
-        if (!(most > 0)) return;
-        addLine(lines[i], shown, lines_->spacing(lines[i].level), shows, most, ofLine[i]);
-        Heads(*lines_, lines[i], shown, shows, look.markPx, most, levels).addTo(ofLine[i]);
+        const std::vector<Shown> shown = shownOf(lines[i], lineView);
+        const float linePart = partOfLength(shown, view, look.markPx);
+        if (!(linePart > 0)) return;
+        addLine(lines[i], shown, lines_->spacing(lines[i].level), lineView, linePart, ofLine[i]);
+        Heads(*lines_, lines[i], shown, lineView, look.markPx, linePart, levels).addTo(ofLine[i]);
     });
     StrokeLayer layer{look, {}};
     for (const std::vector<Stroke>& some : ofLine) layer.strokes.insert(layer.strokes.end(), some.begin(), some.end());

@@ -47,8 +47,9 @@ float distanceTo(MarkShape shape, const glm::vec2& from, float radius, float wid
     return std::min(bar(along, across), bar(across, along));
 }
 
-/// The same of a triangle whose middle is the origin, and whose tip lies in the direction `ahead`. Half of it is looked
-/// at, with the tip as the origin: its side is a line from there to the corner.
+/// How far a place is from a triangle whose middle is the origin, and whose tip lies in the direction `ahead`, in
+/// pixels; less than 0 inside. Half of it is looked at, with the tip as the origin: its side is a line from there to
+/// the corner.
 float distanceToHead(const glm::vec2& from, const glm::vec2& ahead, float length)
 {
     const glm::vec2 corner(0.5f * kHeadWidth * length, length),
