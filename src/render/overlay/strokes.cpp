@@ -96,21 +96,35 @@ Nearest nearest(const Stroke& stroke, const glm::vec2& pixel, const StrokeLook& 
     return {distance, off, invDepth, part};
 }
 
-bool isHidden(const View& view, const SeenSurface& seen, int x, int y, const Stroke& stroke, const Nearest& at)
-{
-    const bool hasNormal = stroke.normal != glm::vec3(0);
-    const float surface = seen.invDepth.at(x, y);
-    if (!(surface > 0)) return hasNormal;
-    if (hasNormal) {
-        const bool isAway = glm::dot(stroke.normal, toViewer(view, stroke.a)) < 0;
-        const float cosine = (isAway ? -1.0f : 1.0f) * glm::dot(stroke.normal, seen.normal(view, x, y));
-        if (cosine < (isAway ? kOtherSide : kOtherSheet)) return true;
+/// Whether the surface hides a stroke, pixel by pixel.
+class Hiding {
+public:
+    Hiding(const View& view, const SeenSurface& seen, const Stroke& stroke)
+        : view_(view), seen_(seen), normal_(stroke.normal), hasNormal_(stroke.normal != glm::vec3(0))
+    {
+        if (!hasNormal_ || glm::dot(normal_, toViewer(view, stroke.a)) >= 0) return;
+        normal_ = -normal_;
+        leastCosine_ = kOtherSide;
     }
-    const float gradX = seen.gradX.at(x, y), gradY = seen.gradY.at(x, y);
-    const float there = surface + gradX * at.off.x + gradY * at.off.y;
-    const float slackPx = kSlackPx + 0.5f * glm::length(at.off);
-    return at.invDepth < there - slackPx * (std::abs(gradX) + std::abs(gradY)) - kSlackPart * surface;
-}
+
+    bool hides(int x, int y, const Nearest& at) const
+    {
+        const float surface = seen_.invDepth.at(x, y);
+        if (!(surface > 0)) return hasNormal_;
+        const float gradX = seen_.gradX.at(x, y), gradY = seen_.gradY.at(x, y);
+        const float there = surface + gradX * at.off.x + gradY * at.off.y;
+        const float slackPx = kSlackPx + 0.5f * glm::length(at.off);
+        if (at.invDepth < there - slackPx * (std::abs(gradX) + std::abs(gradY)) - kSlackPart * surface) return true;
+        return hasNormal_ && glm::dot(normal_, seen_.normal(view_, x, y)) < leastCosine_;
+    }
+
+private:
+    const View& view_;
+    const SeenSurface& seen_;
+    glm::vec3 normal_;
+    bool hasNormal_;
+    float leastCosine_ = kOtherSheet;
+};
 
 /// How much of each pixel of a band a layer covers: its strokes, and with their casing.
 struct Coverage {
@@ -145,6 +159,7 @@ std::pair<float, float> columnsNear(const Stroke& stroke, float row, float besid
 void cover(const View& view, const Stroke& stroke, const StrokeLook& look, const SeenSurface& seen, const Extent& band,
            Coverage& all)
 {
+    const Hiding hiding(view, seen, stroke);
     const float beside = reachOf(look, stroke);
     const auto clampTo = [](float value, int least, int most) {
         return int(std::clamp(std::floor(value), float(least), float(most)));
@@ -158,8 +173,10 @@ void cover(const View& view, const Stroke& stroke, const StrokeLook& look, const
             const Nearest at = nearest(stroke, {float(x) + 0.5f, float(y) + 0.5f}, look);
             const float line = at.part * std::clamp(0.5f - at.distance, 0.0f, 1.0f),
                         cased = at.part * std::clamp(0.5f - at.distance + at.part * look.casingPx, 0.0f, 1.0f);
-            if (!(cased > 0) || isHidden(view, seen, x, y, stroke, at)) continue;
             const std::size_t i = std::size_t(y - band.y0) * std::size_t(band.width()) + std::size_t(x - band.x0);
+            const bool isMore =
+                line > all.line[i] || cased > all.cased[i];  // Neighbours on a line cover the same pixels.
+            if (!isMore || hiding.hides(x, y, at)) continue;
             all.line[i] = std::max(all.line[i], line);
             all.cased[i] = std::max(all.cased[i], cased);
         }
