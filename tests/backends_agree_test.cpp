@@ -91,7 +91,8 @@ TEST_F(BackendsAgree, BothMethodsOnBuiltinSurfaces)
     close.zoom = 1.4;
     for (const char* surface : {"teapot:6000", "torus:4000", "sphere:4000"}) {
         Scene scene = makeBuiltinScene(surface, "abc:32,32,32");
-        scene.hasScalar = scene.colorByFieldMagnitude = true;
+        scene.hasScalar = true;
+        scene.ofVectors = ArrayPart::length;
         scene.scalarRange = {0, 3.5};
         for (const LicMethod method : {LicMethod::none, LicMethod::direct, LicMethod::hierarchical})
             for (const int steps : {16, 128}) {

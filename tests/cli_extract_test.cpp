@@ -53,6 +53,25 @@ TEST_F(Cli, ExtractWritesStreamlines)
         << none.err;
 }
 
+TEST_F(Cli, ExtractWritesOpenLines)
+{
+    // Flow that comes together at y = 0.
+    std::ofstream file(folder_ / "a.vtk");
+    file
+        << "# vtk DataFile Version 3.0\nsheet\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 41 41 1\nPOINTS 1681 float\n";
+    for (int i = 0; i < 1681; ++i) file << i % 41 - 20 << ' ' << i / 41 - 20 << " 0\n";
+    file << "POINT_DATA 1681\nVECTORS U float\n";
+    for (int i = 0; i < 1681; ++i) file << "20 " << -4 * (i / 41 - 20) << " 0\n";
+    file.close();
+    const Outcome found = aeolic("extract separation --field a.vtk --surface boundary -o a.csv");
+    EXPECT_EQ(found.exitCode, 0) << found.err;
+    const std::string text = fileText(folder_ / "a.csv");
+    EXPECT_NE(text.find("\n0,separation,0,0,"), std::string::npos) << text.substr(0, 300);
+    const Outcome none = aeolic("extract separation --surface torus:2000 --field rotation:16,16,16 -o b.vtp");
+    EXPECT_EQ(none.exitCode, 0);
+    EXPECT_EQ(none.err, "aeolic: warning: streamlines gather at no line on this surface\n");
+}
+
 /// What the picture shows is what is written.
 TEST_F(Cli, ExtractTakesAScenesOwnFile)
 {

@@ -131,11 +131,13 @@ TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
         {"render -o a.png --camera tilt=3", "--camera: found 'tilt=3'"},
         {"render -o a.png --camera zoom=0", "--camera zoom: found 0"},
         {"render -o a.png --overlay lines",
-         "--overlay: found 'lines'; expected one of none, streamlines, topology, edges, outline, or several of them "
-         "with "
-         "',' between, as streamlines:PX,topology, with PX from 4 to 1000"},
+         "--overlay: found 'lines'; expected one of none, streamlines, topology, separation, edges, outline, or "
+         "several "
+         "of them with ',' between, as streamlines:PX,topology,through:X:Y:Z, with PX from 4 to 1000"},
         {"render -o a.png --persistence 2", "--persistence: found 2; expected a number from 0 to 1"},
-        {"extract lines --surface sphere -o a.vtp", "WHAT: found 'lines'; expected topology or streamlines"},
+        {"extract lines --surface sphere -o a.vtp",
+         "WHAT: found 'lines'; expected topology, separation or streamlines"},
+        {"extract streamline --surface sphere -o a.vtp", "; did you mean streamlines?"},
         {"extract topology --surface sphere -o a.obj", "-o: found 'a.obj'; expected a name ending in .vtp or .csv"},
         {"extract topology --surface sphere -o none/a.vtp", "none/a.vtp"},
         {"render -o a.png --frames 0", "--frames: found 0"},

@@ -19,7 +19,8 @@ constexpr int kWidth = 160, kHeight = 240;
 Scene teapot()
 {
     Scene scene = makeBuiltinScene("teapot:20000", "abc:32,32,32");
-    scene.hasScalar = scene.colorByFieldMagnitude = true;
+    scene.hasScalar = true;
+    scene.ofVectors = ArrayPart::length;
     return scene;
 }
 

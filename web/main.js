@@ -11,6 +11,7 @@ import {HELP, POINTER_HELP, watchKeys} from './view/keys.js';
 import {differenceTo, fragmentOf, missingIn, parseFragment} from './view/link.js';
 import {Model} from './view/model.js';
 import {Overlay} from './page/overlay.js';
+import {Place} from './page/place.js';
 import {makePanel} from './panel/panel.js';
 import {watchPointers} from './view/pointers.js';
 import {savePicture, saveScene} from './picture/save.js';
@@ -75,13 +76,15 @@ const actions = page.actions = {
   fullscreen: toggleFullscreen,
   copyLink,
   help: () => byId('help').showModal(),
+  tell: () => place.askInMiddle(),
 };
 
 const overlay = new Overlay(frames), panel = makePanel(page);
 new Status(session, frames);
 new Viewers(session);
 watchKeys(stageElement, model, actions);
-watchPointers(stageElement, model, () => session.pacer.settle());
+const place = new Place(page, stageElement);
+watchPointers(stageElement, model, {onEnd: () => session.pacer.settle(), onClick: (at) => place.askAt(at)});
 const {update: updateAxes, keepClearOf: keepAxesClearOf} = makeAxes(byId('axes'), model, actions.axis, () => session.following === 0);
 session.on('following', updateAxes);
 

@@ -2,6 +2,7 @@
 
 /// Everything a program needs to draw flow on surfaces with Aeolic. See docs/library.md for a ten-line example.
 
+#include "aeolic/buffers.h"
 #include "aeolic/data.h"
 #include "aeolic/error.h"
 #include "aeolic/live.h"

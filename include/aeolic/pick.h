@@ -15,6 +15,7 @@ struct PickedPlace {
     Vec3 normal{0, 0, 0};        ///< Of the triangle, towards the viewer; unit length.
     std::uint64_t triangle = 0;  ///< Which of the surface as it is drawn, from 0.
     std::string surface;         ///< Which of several; else the only one's name.
+    std::string vectorName;      ///< The array's that streaks follow; empty where surfaces have several.
     /// The vector as the data have it, and its part along the surface, in the data's unit. Nothing where there is none:
     /// outside of a field, in masked data, on plain surfaces.
     std::optional<Vec3> vector, tangential;

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "aeolic/buffers.h"
 #include "aeolic/data.h"
 #include "aeolic/pick.h"
 #include "aeolic/picture.h"
@@ -205,6 +206,11 @@ public:
     /// Throws InputError where the surface or its field is in pieces. Cost: O(triangles), parallel, each time.
     FlowTopology topology();
 
+    /// The open lines of separation and attachment of the flow along the surface that is shown now, by
+    /// `shading.persistence`: lines alone, without points. The rest is as for topology(). Cost: that of some 8,000
+    /// streamlines, parallel, each time.
+    FlowTopology separation();
+
     /// Streamlines on the whole surface that is shown now, as far apart in the world as `shading.overlay` says, else 24
     /// pixels, where the surface's middle is in the description's first view. All ranks get the same lines, from any
     /// number of threads. Throws InputError where the surface or its field is in pieces. Cost: O(triangles), parallel,
@@ -216,6 +222,11 @@ public:
     /// Throws InputError for a pixel outside of the picture, and where the surface or its field is in pieces. Cost:
     /// O(triangles), parallel; nothing is drawn.
     std::optional<PickedPlace> pick(int x, int y, const std::optional<CameraOptions>& camera = {});
+
+    /// What all pixels show, as numbers: those of the picture that render({*camera}) gives, or, without a camera,
+    /// render(). Rank 0 gets them, and other ranks an empty picture. Throws as start() does; std::logic_error while a
+    /// frame is started and not finished. Cost: that of a frame, and of 32 bytes a pixel on their way.
+    PictureBuffers buffers(const std::optional<CameraOptions>& camera = {});
 
     const SceneInfo& info() const;
     const FrameStats& lastFrame() const;

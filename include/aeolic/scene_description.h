@@ -103,7 +103,7 @@ enum class RangeOf { data, robust };
 
 /// Colours, light and how strongly the LIC shows (paper, "blending stage").
 struct ShadingOptions {
-    /// [surface:|field:][point:|cell:]NAME[:mag|:x|:y|:z]: a scalar array, or the length or a component of vectors.
+    /// [surface:|field:][point:|cell:]NAME[:mag|:x|:y|:z|:normal|:tangential]: a scalar array, or a part of vectors.
     /// Without a prefix the array beside the vectors, else the other's, on points rather than on cells. Empty: a plain
     /// surface.
     std::string colorBy;

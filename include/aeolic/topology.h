@@ -27,13 +27,16 @@ struct FlowPoint {
     double strength = 0;    ///< Of the flow's derivative: the root of its determinant, 1 / time for velocities.
 };
 
-/// A line that begins at a saddle and parts regions of the flow.
+/// A line of separation or of attachment: one that begins at a saddle and parts regions of the flow, or an open one,
+/// which streamlines gather at.
 struct FlowLine {
-    std::size_t saddle = 0;             ///< Which of FlowTopology::points.
+    std::optional<std::size_t> saddle;  ///< Which of FlowTopology::points; nothing: it is an open line.
     std::optional<std::size_t> end;     ///< The point it ends at; nothing where it leaves the surface or closes.
     bool separates = true;              ///< It runs downstream, a line of separation; else upstream, one of attachment.
     double length = 0;                  ///< World units.
-    std::vector<SurfaceValues> places;  ///< From the saddle on.
+    double strength = 0;                ///< That of its saddle. Of an open line: by which power of e streamlines lie
+                                        ///< closer on it than on average.
+    std::vector<SurfaceValues> places;  ///< From the saddle on; of an open line downstream.
 };
 
 /// The skeleton of the flow along a surface (docs/topology.md).

@@ -12,15 +12,15 @@ from ._core import InputError, Picture, __version__
 from ._data import Grid, Surface, Volume
 from ._plane import lic2d
 from ._info import ArrayInfo, FileInfo, PartInfo, info
-from ._pick import PickedPlace
+from ._pick import PickedPlace, PictureBuffers
 from ._render import Renderer, render
 from ._show import Viewer
 from ._streamlines import Streamline, Streamlines, streamlines
-from ._topology import Topology, TopologyLine, topology
+from ._topology import Topology, TopologyLine, separation, topology
 
-__all__ = ["ArrayInfo", "FileInfo", "Grid", "InputError", "PartInfo", "PickedPlace", "Picture", "Renderer", "Streamline",
-           "Streamlines", "Surface", "Topology", "TopologyLine", "Viewer", "Volume", "info", "lic2d", "render", "streamlines",
-           "topology"]
+__all__ = ["ArrayInfo", "FileInfo", "Grid", "InputError", "PartInfo", "PickedPlace", "Picture", "PictureBuffers", "Renderer",
+           "Streamline", "Streamlines", "Surface", "Topology", "TopologyLine", "Viewer", "Volume", "info", "lic2d", "render",
+           "separation", "streamlines", "topology"]
 
 
 def _save(self, path):

@@ -11,7 +11,7 @@ from . import _core
 from ._checks import number, path as path_of, refuse_unknown, suggesting, whole
 from ._data import Grid, InputError, Surface, Volume
 from ._options import CHANGEABLE, KEYWORDS, TABLE, camera_text, documented, scene_given, texts
-from ._pick import PickedPlace
+from ._pick import PickedPlace, PictureBuffers
 from ._show import Server, Viewer, in_notebook, proxy_text, served
 from ._surfaces import contexts_of, items_of
 from ._vectors import named_vectors, prepared
@@ -162,11 +162,21 @@ class Renderer:
         found = self._loaded.pick(x, y, camera_text(camera))
         return found and PickedPlace(**found)
 
+    def buffers(self, camera=None):
+        """What all pixels of the picture show: PictureBuffers. camera as for render()."""
+        return PictureBuffers(**self._loaded.buffers(camera_text(camera)))
+
     def topology(self):
         """The Topology of the flow along the surface as it is shown now: its moment, its persistence. Raises InputError where
         the surface is in pieces."""
         from ._topology import topology_of  # It needs this module.
         return topology_of(self)
+
+    def separation(self):
+        """The open lines of separation and attachment on the surface as it is shown now, as a Topology without points. Raises
+        InputError where the surface is in pieces."""
+        from ._topology import separation_of  # It needs this module.
+        return separation_of(self)
 
     def streamlines(self):
         """The Streamlines on the surface as it is shown now, as far apart as overlay= says where the surface's middle is in

@@ -7,12 +7,13 @@ from ._render import Renderer
 
 
 class TopologyLine(NamedTuple):
-    """A line that begins at a saddle and parts regions of the flow."""
+    """A line that parts regions of the flow: from a saddle, or an open one, which streamlines gather at."""
     kind: str  #: "separation" (downstream of its saddle) or "attachment" (upstream)
-    saddle: int  #: Which of the points it begins at.
+    saddle: Optional[int]  #: Which of the points it begins at; None for an open line.
     end: Optional[int]  #: The point it ends at; None where it leaves the surface or closes.
     length: float  #: World units.
-    positions: Any  #: (places, 3), from the saddle on.
+    strength: float  #: That of its saddle. Of an open line: by which power of e streamlines lie closer on it than on average.
+    positions: Any  #: (places, 3), from the saddle on; of an open line downstream.
     vectors: Any  #: (places, 3), as the data have them.
     scalars: Optional[Any]  #: (places,) of color_by; None without it.
 
@@ -32,7 +33,7 @@ class Topology:
         self.lines = tuple(TopologyLine(*line) for line in core.lines())
 
     def save(self, path):
-        """Writes a .vtp or .csv file, as `aeolic extract topology` does. Raises InputError for another kind of name, OSError
+        """Writes a .vtp or .csv file, as `aeolic extract` does. Raises InputError for another kind of name, OSError
         if the file cannot be written."""
         self._core.save(*lines_file(path))
 
@@ -47,5 +48,17 @@ def topology(surface=None, *, field=None, scene=None, progress=None, **options):
     return topology_of(Renderer(surface, field=field, scene=scene, progress=progress, **options))
 
 
+@documented(KEYWORDS)
+def separation(surface=None, *, field=None, scene=None, progress=None, **options):
+    """The open lines of separation and attachment of the flow on a surface, as a Topology without points: what
+    overlay="separation" draws, the strongest first. The arguments are those of Renderer; lines closer together than
+    persistence= are one. Renderer.separation() gives those of a scene that is loaded already."""
+    return separation_of(Renderer(surface, field=field, scene=scene, progress=progress, **options))
+
+
 def topology_of(renderer):
     return Topology(renderer._loaded.topology())
+
+
+def separation_of(renderer):
+    return Topology(renderer._loaded.separation())

@@ -47,7 +47,9 @@ public:
     pybind11::dict info();
     pybind11::list warnings();  ///< What the command line would warn of after the last picture.
     FlowTopology topology();    ///< Of what is shown now.
+    FlowTopology separation();  ///< The same.
     EvenSurfaceLines streamlines();
+    pybind11::dict buffers(const std::optional<std::string>& camera);
     pybind11::object pick(int x, int y, const std::optional<std::string>& camera);  ///< A dict, or None.
     std::string stats();  ///< JSON, as --stats writes it, of the last picture.
     std::string scene();  ///< JSON, as a scene file.

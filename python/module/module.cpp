@@ -117,8 +117,10 @@ void addLoaded(py::module_& module)
         .def("warnings", &Loaded::warnings)
         .def("stats", &Loaded::stats)
         .def("topology", &Loaded::topology)
+        .def("separation", &Loaded::separation)
         .def("streamlines", &Loaded::streamlines)
         .def("pick", &Loaded::pick)
+        .def("buffers", &Loaded::buffers)
         .def("scene", &Loaded::scene);
 }
 

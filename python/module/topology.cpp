@@ -16,7 +16,7 @@ py::tuple linesOf(const FlowTopology& topology)
     py::list lines;
     for (const FlowLine& line : topology.lines)
         lines.append(py::make_tuple(
-            line.separates ? "separation" : "attachment", line.saddle, line.end, line.length,
+            line.separates ? "separation" : "attachment", line.saddle, line.end, line.length, line.strength,
             vectorsOf(line.places, [](const SurfaceValues& at) { return at.position; }),
             vectorsOf(line.places, [](const SurfaceValues& at) { return at.vector; }),
             scalarsOf(topology.scalar, numbersOf(line.places, [](const SurfaceValues& at) { return at.scalar; }))));

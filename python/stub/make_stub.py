@@ -73,10 +73,20 @@ class PickedPlace(NamedTuple):
     normal: tuple[float, float, float]
     triangle: int
     surface: str
+    vector_name: str | None
     vector: tuple[float, float, float] | None
     tangential: tuple[float, float, float] | None
     scalar: float | None
     scalar_name: str | None
+
+class PictureBuffers(NamedTuple):
+    depth: numpy.ndarray
+    normal: numpy.ndarray
+    flow: numpy.ndarray
+    lic: numpy.ndarray
+    scalar: numpy.ndarray | None
+    @property
+    def covered(self) -> numpy.ndarray: ...
 
 class Streamline(NamedTuple):
     length: float
@@ -95,9 +105,10 @@ class Streamlines:
 
 class TopologyLine(NamedTuple):
     kind: str
-    saddle: int
+    saddle: int | None
     end: int | None
     length: float
+    strength: float
     positions: numpy.ndarray
     vectors: numpy.ndarray
     scalars: numpy.ndarray | None
@@ -154,14 +165,17 @@ def stub():
             "    def set_data(self, surface: Surface | Any | None = ..., field: Grid | Volume | Any | None = ...,\n"
             "                 progress: Callable[[str, float], Any] | None = ...) -> None: ...\n"
             "    def set_shown(self, shown: Sequence[bool]) -> None: ...\n"
+            "    def buffers(self, camera: Mapping[str, Any] | str | None = ...) -> PictureBuffers: ...\n"
             "    def pick(self, x: int, y: int, camera: Mapping[str, Any] | str | None = ...) -> PickedPlace | None: ...\n"
             "    def topology(self) -> Topology: ...\n"
+            "    def separation(self) -> Topology: ...\n"
             "    def streamlines(self) -> Streamlines: ...\n"
             "    @property\n    def time(self) -> float: ...\n    @time.setter\n    def time(self, moment: float) -> None: ...\n" +
             "    @property\n    def times(self) -> tuple[float, ...]: ...\n" +
             "".join(f"    @property\n    def {name}(self) -> dict[str, Any]: ...\n" for name in ("info", "stats", "scene")) +
             "\ndef render(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Picture: ...\n" +
             "def topology(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Topology: ...\n" +
+            "def separation(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Topology: ...\n" +
             "def streamlines(\n" + SOURCES.format(indent=indent) + options(_options.KEYWORDS, indent) + ") -> Streamlines: ...\n" +
             "def info(path: str | os.PathLike[str]) -> FileInfo: ...\n" +
             "def lic2d(\n    u: ArrayLike, v: ArrayLike, *, spacing: Sequence[float] | float = ..., texture: ArrayLike | None = ...,\n"

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "aeolic/aeolic.h"
+#include "base/nearest_name.h"
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
@@ -20,9 +23,11 @@ namespace {
 
 struct ExtractCommand {
     ExtractCommand(CLI::App& command, std::shared_ptr<Communicator> theRanks)
-        : what(addFirstWord(command, "WHAT",
-                            "topology: critical points, and lines of separation and attachment; streamlines: evenly "
-                            "spaced ones, as --overlay streamlines:PX says")),
+        : what(addFirstWord(
+              command, "WHAT",
+              "topology: critical points, and the lines of separation and attachment that begin at saddles; "
+              "separation: such lines that begin at none; streamlines: evenly spaced ones, as --overlay "
+              "streamlines:PX says")),
           sceneOptions(command),
           ranks(std::move(theRanks))
     {
@@ -53,6 +58,13 @@ Extracted topologyText(Renderer& renderer, bool asVtp)
             topology.points.empty() ? "the flow has no critical point on this surface" : ""};
 }
 
+Extracted separationText(Renderer& renderer, bool asVtp)
+{
+    const FlowTopology lines = renderer.separation();
+    return {asVtp ? topologyVtp(lines) : topologyCsv(lines),
+            lines.lines.empty() ? "streamlines gather at no line on this surface" : ""};
+}
+
 Extracted streamlinesText(Renderer& renderer, bool asVtp)
 {
     const EvenSurfaceLines lines = renderer.streamlines();
@@ -62,12 +74,16 @@ Extracted streamlinesText(Renderer& renderer, bool asVtp)
 
 void ExtractCommand::run() const
 {
+    static const std::map<std::string, Extracted (*)(Renderer&, bool)> kinds = {
+        {"topology", topologyText}, {"separation", separationText}, {"streamlines", streamlinesText}};
     const bool root = ranks->isRoot();
     SceneDescription scene;
     const std::string ending = lowerExtension(outputPath);
     runTogether(*ranks, [&] {
-        if (*what != "topology" && *what != "streamlines")
-            throw InputError("WHAT", "found '" + *what + "'", "topology or streamlines");
+        if (!kinds.contains(*what))
+            throw InputError("WHAT", "found '" + *what + "'",
+                             "topology, separation or streamlines" +
+                                 didYouMean(*what, std::array{"topology", "separation", "streamlines"}));
         scene = sceneOptions.scene();
         if (ending != ".vtp" && ending != ".csv")
             throw InputError("-o", "found '" + outputPath + "'", "a name ending in .vtp or .csv");
@@ -79,7 +95,7 @@ void ExtractCommand::run() const
     });
     progress.clear();
     const bool asVtp = ending == ".vtp";
-    const Extracted found = *what == "topology" ? topologyText(renderer, asVtp) : streamlinesText(renderer, asVtp);
+    const Extracted found = kinds.at(*what)(renderer, asVtp);
     if (!root) return;
     for (std::size_t i = 0; i < renderer.info().dataWarnings; ++i)
         fmt::print(stderr, "aeolic: warning: {}\n", renderer.info().warnings[i]);
@@ -91,8 +107,9 @@ void ExtractCommand::run() const
 
 void addExtractCommand(CLI::App& program, const std::shared_ptr<Communicator>& ranks)
 {
-    CLI::App* command = program.add_subcommand(
-        "extract", "Writes what the flow on a surface has, as points and lines: its topology, streamlines.");
+    CLI::App* command = program.add_subcommand("extract",
+                                               "Writes what the flow on a surface has, as points and lines: its "
+                                               "topology, open lines of separation, streamlines.");
     const auto state = std::make_shared<ExtractCommand>(*command, ranks);
     command->callback([state] { state->run(); });
 }

@@ -31,8 +31,8 @@ std::vector<std::string> colorableNames(const ArrayChoices& arrays)
     for (const ArrayChoice& array : arrays) {
         names.push_back(array.name);
         if (array.components > 1) names.push_back(array.name + ":mag");
-        for (std::size_t k = 0; k < 3 && array.components == 3; ++k)
-            names.push_back(array.name + std::string(std::to_array({":x", ":y", ":z"})[k]));
+        if (array.components != 3) continue;
+        for (const char* part : {":x", ":y", ":z", ":normal", ":tangential"}) names.push_back(array.name + part);
     }
     return names;
 }

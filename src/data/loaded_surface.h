@@ -11,6 +11,7 @@
 #include "data/bricks.h"
 #include "data/mesh/surface_mesh.h"
 #include "data/tally.h"
+#include "description/color_by.h"
 
 namespace aeolic {
 
@@ -49,9 +50,11 @@ struct LoadedSurface {
     bool cutOut = false;                   ///< Cut out of a grid: triangles without an area are no surprise.
     std::array<double, 2> cutRange{0, 0};  ///< The isosurface of a uniform grid: least and greatest value there is.
     std::string scalarLabel;               ///< Empty: `colorBy` was not found, or not asked for.
-    std::string arrays;                    ///< What arrays there are, for messages.
-    ArrayChoices offered;                  ///< What arrays there are to choose from.
-    std::vector<double> timeSteps;         ///< Those of a file that holds several.
+    ArrayPart ofVectors = ArrayPart::whole;  ///< Scene::ofVectors, of `colorBy`.
+    std::string vectorsName;                 ///< Empty: no vectors were asked for.
+    std::string arrays;                      ///< What arrays there are, for messages.
+    ArrayChoices offered;                    ///< What arrays there are to choose from.
+    std::vector<double> timeSteps;           ///< Those of a file that holds several.
     std::vector<std::string> warnings;
     std::vector<Tally> tallies;
     bool complete = true;        ///< False for this rank's share, until StepReader::complete() has all of them.

@@ -13,6 +13,7 @@
 #include "data/tally.h"
 #include "data/vector_field.h"
 #include "description/camera.h"
+#include "description/color_by.h"
 
 namespace aeolic {
 
@@ -53,16 +54,20 @@ struct Scene {
     SurfaceMesh surface;
     std::shared_ptr<const GridField> field;        ///< Null: the surface carries its own vectors.
     std::shared_ptr<const GridField> scalarField;  ///< The scalar to colour by where it lives on the field's grid.
-    bool colorByFieldMagnitude = false;            ///< Colour by the sampled vector's length: no scalar is stored.
-    bool hasScalar = false;                        ///< There is something to colour by.
-    std::array<double, 2> scalarRange{0, 1};       ///< Its values on the surface; finite, lo <= hi.
+    /// Coloured by this part of the vectors at each pixel: no scalar is stored. Of `field` their length, of any vectors
+    /// what needs the normal. The whole: coloured by a scalar.
+    ArrayPart ofVectors = ArrayPart::whole;
+    bool hasScalar = false;                   ///< There is something to colour by.
+    std::array<double, 2> scalarRange{0, 1};  ///< Its values on the surface; finite, lo <= hi.
     /// From the 2nd to the 98th percentile of these values by area; the same as above where that has no width.
     std::array<double, 2> robustRange{0, 1};
     bool scalarRangeKnown = false;  ///< Some value was finite; else the ranges stay as above.
     std::string scalarName;         ///< For the scalar bar, e.g. "p" or "|U|".
     /// The first moment, where nothing flows then and something does later.
     std::optional<double> restsAt;
-    double maxVector = 0;  ///< Largest vector length: what `--normalize off` scales by.
+    double maxVector = 0;      ///< Largest vector length: what `--normalize off` scales by.
+    double maxTangential = 0;  ///< Largest part of them along the surface; 0: not known, or nothing lies in it.
+    std::string vectorsName;   ///< The array's that streaks follow; empty: they follow several.
     /// The surface's bounds. Where the scene changes in time, this, `fitRadius` and the ranges above belong to its
     /// first moment, so that nothing jumps.
     Bounds boundsWorld;
@@ -80,12 +85,15 @@ struct Scene {
     {
         return shading.colorRangeOf == RangeOf::robust ? robustRange : scalarRange;
     }
+    /// The vectors along the surface at which streaks show in full. Where nothing lies in it but rounding, all
+    /// vectors'.
+    double fullStreaks() const { return maxTangential > 1e-6 * maxVector ? maxTangential : maxVector; }
     /// This rank holds a part of the field.
     bool bricked() const { return field && field->brick; }
     /// What a camera is fitted to: the surfaces that are shown, at the first moment. Where none is, all of them.
     SurfaceReach fit() const;
     /// What is coloured by is sampled where the vectors are.
-    bool scalarFromField() const { return colorByFieldMagnitude || scalarField; }
+    bool scalarFromField() const { return (field && ofVectors != ArrayPart::whole) || scalarField; }
     /// Some surfaces carry what others are sampled for.
     bool mixed() const
     {

@@ -54,17 +54,6 @@ double component(const GridField& field, std::size_t sample, int c)
     return field.precision == FieldPrecision::float32 ? field.floats()[i] : floatFromHalf(field.halves()[i]);
 }
 
-/// Trilinear value (or length of the vector); NaN outside, and in cells of other ranks' bricks.
-double sample(const GridField& field, const glm::dvec3& pointWorld)
-{
-    const FieldVector found = vectorAt(field, pointWorld);
-    if (!found.inside || found.elsewhere) return std::numeric_limits<double>::quiet_NaN();
-    if (field.components == 1) return found.vector.x;
-    double squared = 0;
-    for (int k = 0; k < field.components; ++k) squared += found.vector[k] * found.vector[k];
-    return std::sqrt(squared);
-}
-
 }  // namespace
 
 FieldVector vectorAt(const GridField& field, const glm::dvec3& pointWorld)
@@ -108,7 +97,40 @@ std::optional<std::array<double, 2>> finiteRange(const std::vector<float>& value
     return parallelRange(values.size(), [&](Range& range, std::size_t i) { range.add(values[i]); }).get();
 }
 
-std::optional<std::array<double, 2>> rangeOnSurface(const SurfaceMesh& mesh, const GridField& field)
+double valueOf(ArrayPart part, const glm::dvec3& vector, const glm::dvec3& normal)
+{
+    if (!needsNormal(part)) return glm::length(vector);
+    const double across = glm::dot(vector, normal);
+    return part == ArrayPart::normal ? across : glm::length(vector - across * normal);
+}
+
+glm::dvec3 normalAt(const SurfaceMesh& mesh, std::size_t triangle, double u, double v)
+{
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    const glm::dvec3 sum =
+        (1 - u - v) * glm::dvec3(mesh.normals[a]) + u * glm::dvec3(mesh.normals[b]) + v * glm::dvec3(mesh.normals[c]);
+    const double length = glm::length(sum);
+    return length > 1e-4 ? sum / length : glm::dvec3(mesh.normals[a]);
+}
+
+std::optional<std::array<double, 2>> rangeOfVectors(const SurfaceMesh& mesh, ArrayPart part)
+{
+    const auto value = [&](const glm::vec3& vector, std::size_t point) {
+        return valueOf(part, glm::dvec3(vector), glm::dvec3(mesh.normals[point]));
+    };
+    if (mesh.cellVectors.empty())
+        return parallelRange(mesh.pointVectors.size(),
+                             [&](Range& range, std::size_t i) { range.add(value(mesh.pointVectors[i], i)); })
+            .get();
+    return parallelRange(mesh.triangles.size(),
+                         [&](Range& range, std::size_t i) {
+                             for (const std::uint32_t corner : mesh.triangles[i])
+                                 range.add(value(mesh.cellVectors[i], corner));
+                         })
+        .get();
+}
+
+std::optional<std::array<double, 2>> rangeOnSurface(const SurfaceMesh& mesh, const GridField& field, ArrayPart part)
 {
     const double cell = std::min({field.spacingWorld.x, field.spacingWorld.y, field.spacingWorld.z});
     return parallelRange(
@@ -119,9 +141,14 @@ std::optional<std::array<double, 2>> rangeOnSurface(const SurfaceMesh& mesh, con
                                     ac = glm::dvec3(mesh.positions[ic]) - a;
                    const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
                    const int n = int(std::clamp(std::ceil(longest / cell), 1.0, double(mostSubdivisions)));
+                   const auto look = [&](double s, double t) {
+                       const FieldVector found = vectorAt(field, mesh.originWorld + a + s * ab + t * ac);
+                       if (!found.inside || found.elsewhere) return;  // Another rank has it, or nobody.
+                       const glm::dvec3 normal = needsNormal(part) ? normalAt(mesh, i, s, t) : glm::dvec3(0);
+                       range.add(field.components == 1 ? found.vector.x : valueOf(part, found.vector, normal));
+                   };
                    for (int u = 0; u <= n; ++u)
-                       for (int v = 0; u + v <= n; ++v)
-                           range.add(sample(field, mesh.originWorld + a + (double(u) / n) * ab + (double(v) / n) * ac));
+                       for (int v = 0; u + v <= n; ++v) look(double(u) / n, double(v) / n);
                })
         .get();
 }

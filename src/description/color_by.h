@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,7 +8,7 @@
 
 namespace aeolic {
 
-/// The parts of a `ShadingOptions::colorBy`: [surface:|field:][point:|cell:]NAME[:mag|:x|:y|:z].
+/// The parts of a `ShadingOptions::colorBy`: [surface:|field:][point:|cell:]NAME[:mag|:x|:y|:z|:normal|:tangential].
 struct ColorBy {
     enum class Of { surface, field };
     static constexpr std::string_view kSurfacePrefix = "surface:", kFieldPrefix = "field:";
@@ -19,10 +20,18 @@ struct ColorBy {
     bool mayBeOfField() const { return of != Of::surface; }
 };
 
-/// What of an array's values a scalar is.
-enum class ArrayPart { whole, length, x, y, z };
+/// What of an array's values a scalar is. `normal` and `tangential` are parts of the vectors on the surface: signed
+/// along the surface's normal, and the length of what lies in the surface.
+enum class ArrayPart : std::uint8_t { whole, length, x, y, z, normal, tangential };
 
-/// An array as the user names it, [point:|cell:]NAME[:mag|:x|:y|:z], where no array has the whole text as its name.
+/// Needs the surface's normal.
+inline bool needsNormal(ArrayPart part)
+{
+    return part == ArrayPart::normal || part == ArrayPart::tangential;
+}
+
+/// An array as the user names it, [point:|cell:]NAME[:mag|:x|:y|:z|:normal|:tangential], where no array has the whole
+/// text as its name.
 struct ArrayRef {
     std::string name;
     std::optional<bool> onPoints;  ///< None: on points, else on cells.
@@ -32,7 +41,8 @@ struct ArrayRef {
 inline ArrayRef parseArray(std::string text)
 {
     constexpr std::pair<std::string_view, ArrayPart> parts[] = {
-        {":mag", ArrayPart::length}, {":x", ArrayPart::x}, {":y", ArrayPart::y}, {":z", ArrayPart::z}};
+        {":mag", ArrayPart::length}, {":x", ArrayPart::x},           {":y", ArrayPart::y},
+        {":z", ArrayPart::z},        {":normal", ArrayPart::normal}, {":tangential", ArrayPart::tangential}};
     constexpr std::pair<std::string_view, bool> places[] = {{"point:", true}, {"cell:", false}};
     ArrayRef ref;
     for (const auto& [suffix, part] : parts)
@@ -52,14 +62,20 @@ inline ArrayRef parseArray(std::string text)
 /// What follows an array's name where a part of it is meant: ":mag", ":x"; else empty.
 inline std::string_view suffixOf(ArrayPart part)
 {
-    constexpr std::string_view suffixes[] = {"", ":mag", ":x", ":y", ":z"};
+    constexpr std::string_view suffixes[] = {"", ":mag", ":x", ":y", ":z", ":normal", ":tangential"};
     return suffixes[std::size_t(part)];
 }
 
-/// Which component it is; nothing for the whole and for the length.
+/// What legends call that part of an array: "p", "|U|", "U:x".
+inline std::string labelOf(const std::string& name, ArrayPart part)
+{
+    return part == ArrayPart::length ? "|" + name + "|" : name + std::string(suffixOf(part));
+}
+
+/// Which component it is; nothing where it is none.
 inline std::optional<int> componentOf(ArrayPart part)
 {
-    return part < ArrayPart::x ? std::nullopt : std::optional(int(part) - int(ArrayPart::x));
+    return part < ArrayPart::x || part > ArrayPart::z ? std::nullopt : std::optional(int(part) - int(ArrayPart::x));
 }
 
 inline ColorBy parseColorBy(const std::string& text)

@@ -64,7 +64,9 @@ std::vector<std::string> idleOptions(const SceneDescription& scene, const std::m
         finder.add({"--legend"}, "without --color-by");
     }
     if (!scene.shading.lighting) finder.addSwitch("--occlusion", scene.shading.occlusion, "with --lighting off");
-    if (!overlaysOf(scene.shading.overlay).topology) finder.add({"--persistence"}, "without --overlay topology");
+    const Overlays overlays = overlaysOf(scene.shading.overlay);
+    if (!overlays.topology && !overlays.separation)
+        finder.add({"--persistence"}, "without --overlay topology or separation");
     if (scene.output.frames == 1) {
         finder.add({"--fps", "--orbit"}, "without --frames");
         if (moves && given.contains("--time-range"))

@@ -35,7 +35,8 @@ TEST(IdleOptions, ColoursWithoutAnArray)
 
 TEST(IdleOptions, PersistenceWithoutTopology)
 {
-    EXPECT_EQ(idle({{"--persistence", "0.1"}}), Lines{"--persistence has no effect without --overlay topology"});
+    EXPECT_EQ(idle({{"--persistence", "0.1"}}),
+              Lines{"--persistence has no effect without --overlay topology or separation"});
     EXPECT_EQ(idle({{"--persistence", "0.1"}, {"--overlay", "topology"}}), Lines{});
 }
 

@@ -225,9 +225,12 @@ void forEachOption(Scene&& scene, Visit&& visit)
 
     visit(
         Option{
-            shading, "colorBy", "--color-by", "[surface:|field:]NAME[:mag|:x|:y|:z]",
-            "array to colour by; :mag is a vector's length, :x, :y and :z are its components. Without a prefix it is "
-            "the field's, else the surface's; point: and cell: in front of NAME choose where both have such an array",
+            shading, "colorBy", "--color-by", "[surface:|field:]NAME[:PART]",
+            "array to colour by. PART of vectors: mag is their length; x, y and z are components; normal and "
+            "tangential "
+            "are what goes through the surface and what lies in it, of the vectors that the streaks follow. Without a "
+            "prefix it is the field's, else the surface's; point: and cell: in front of NAME choose where both have "
+            "such an array",
             "a plain surface"},
         scene.shading.colorBy, anyName);
     visit(Option{shading, "colormap", "--colormap", "NAME|FILE", "colours from the low values to the high ones"},
@@ -280,12 +283,15 @@ void forEachOption(Scene&& scene, Visit&& visit)
     visit(Option{shading, "occlusion", "--occlusion", "",
                  "ambient occlusion: corners and hollows are darker; nothing where --lighting is off"},
           scene.shading.occlusion, SwitchRule{});
-    visit(Option{shading, "overlay", "--overlay", "WHAT[,WHAT ...]",
-                 "over the streaks; streamlines: evenly spaced lines with arrow heads, as many pixels apart as PX of "
-                 "streamlines:PX says, else 24; topology: critical points of the flow along the surface, and its lines "
-                 "of separation and attachment; edges: the sides of the triangles, but for those of a few pixels; "
-                 "outline: silhouettes, creases and borders"},
-          scene.shading.overlay, NameRule{overlayNames, overlayListText, isOverlayList, overlayListPattern});
+    visit(
+        Option{shading, "overlay", "--overlay", "WHAT[,WHAT ...]",
+               "over the streaks; streamlines: evenly spaced lines with arrow heads, as many pixels apart as PX of "
+               "streamlines:PX says, else 24; topology: critical points of the flow along the surface, and its lines "
+               "of separation and attachment; separation: lines of both kinds that begin at no saddle; edges: the "
+               "sides of the triangles, but for those of a few pixels; "
+               "outline: silhouettes, creases and borders; through:X:Y:Z: the streamline through the place nearest to "
+               "this position"},
+        scene.shading.overlay, NameRule{overlayNames, overlayListText, isOverlayList, overlayListPattern});
     visit(Option{shading, "persistence", "--persistence", "SHARE",
                  "pairs of critical points that are closer together than this part of the surface's size are left out, "
                  "as noise makes them"},

@@ -1,5 +1,7 @@
 #include "description/overlays.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "description/option_rules.h"
@@ -7,10 +9,33 @@
 namespace aeolic {
 namespace {
 
+/// ":1:0.5:-2"
+std::optional<std::array<double, 3>> positionFrom(std::string_view text)
+{
+    std::array<double, 3> position{};
+    for (double& number : position) {
+        if (!text.starts_with(':')) return std::nullopt;
+        text.remove_prefix(1);
+        const std::size_t end = std::min(text.find(':'), text.size());
+        const std::optional<double> read = parseNumber(text.substr(0, end));
+        if (!read || !std::isfinite(*read)) return std::nullopt;
+        number = *read;
+        text.remove_prefix(end);
+    }
+    return text.empty() ? std::optional(position) : std::nullopt;
+}
+
 bool takeOne(std::string_view word, Overlays& overlays)
 {
+    constexpr std::string_view through = "through";
+    if (word.starts_with(through)) {
+        if (overlays.through) return false;
+        overlays.through = positionFrom(word.substr(through.size()));
+        return overlays.through.has_value();
+    }
     constexpr std::string_view streamlines = "streamlines";
     if (word == "topology") return !std::exchange(overlays.topology, true);
+    if (word == "separation") return !std::exchange(overlays.separation, true);
     if (word == "edges") return !std::exchange(overlays.edges, true);
     if (word == "outline") return !std::exchange(overlays.outline, true);
     if (!word.starts_with(streamlines) || overlays.streamlinesPx > 0) return false;

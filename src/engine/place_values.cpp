@@ -29,8 +29,11 @@ double scalarAt(const Scene& scene, const SurfaceMesh& mesh, const SurfacePlace&
 {
     const SceneSurface* const surface = surfaceOf(scene, mesh, place.triangle);
     if (!scene.hasScalar || (surface && surface->colors == SceneSurface::kPlain)) return kNone;
-    if (scene.scalarFromField() && !(surface && surface->ownScalar)) {
-        if (scene.colorByFieldMagnitude) return glm::length(vector);
+    const bool own = surface && surface->ownScalar;
+    if (needsNormal(scene.ofVectors) && !own)
+        return valueOf(scene.ofVectors, vector, normalAt(mesh, place.triangle, place.weight[1], place.weight[2]));
+    if (scene.scalarFromField() && !own) {
+        if (scene.ofVectors == ArrayPart::length) return glm::length(vector);
         const FieldVector found = vectorAt(*scene.scalarField, position);
         return found.inside ? found.vector.x : kNone;
     }

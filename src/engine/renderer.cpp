@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "aeolic/error.h"
@@ -18,6 +19,7 @@
 #include "description/scene_text.h"
 #include "description/validate.h"
 #include "engine/flow_topology.h"
+#include "engine/picture_buffers.h"
 #include "engine/renderer_internals.h"
 #include "engine/renderer_state.h"
 #include "engine/surface_pick.h"
@@ -247,6 +249,15 @@ FlowTopology Renderer::topology()
     return state.arena.execute([&] { return flowTopology(state.scene(), state.description.shading.persistence); });
 }
 
+FlowTopology Renderer::separation()
+{
+    State& state = held();
+    callTogether(
+        state.group.communicator(), "separation", [] { return std::string(); },
+        [&] { requireWhole(state.scene(), "separation"); });
+    return state.arena.execute([&] { return openLines(state.scene(), state.description.shading.persistence); });
+}
+
 EvenSurfaceLines Renderer::streamlines()
 {
     State& state = held();
@@ -278,6 +289,21 @@ std::optional<PickedPlace> Renderer::pick(int x, int y, const std::optional<Came
         });
     const Camera view = state.cameraOf(camera ? *camera : state.viewOfFrame(0));
     return state.arena.execute([&] { return pickSurface(state.scene(), view, x, y); });
+}
+
+PictureBuffers Renderer::buffers(const std::optional<CameraOptions>& camera)
+{
+    State& state = held();
+    if (state.frames.any()) throw std::logic_error("buffers() while a frame is started and not finished");
+    const DrawnFrame rows = render(camera ? FrameSpec{*camera, false} : FrameSpec{AnimationFrame{}, false});
+    const View view =
+        makeView(state.cameraOf(camera ? *camera : state.viewOfFrame(0)), state.scene(), state.description.lic);
+    const Extent own{0, rows.firstRow, state.description.output.width, rows.firstRow + rows.height};
+    PictureBuffers mine;
+    runTogether(state.group.communicator(), [&] {
+        mine = state.arena.execute([&] { return buffersOf(*state.backend, view, state.scene(), own); });
+    });
+    return gathered(mine, state.group.communicator());
 }
 
 void Renderer::setSize(int width, int height)

@@ -53,8 +53,10 @@ std::optional<ScalarBar> streaksBar(const StartedFrame& frame, const Scene& scen
     if (lic.magnitude == Magnitude::none || lic.method == LicMethod::none || !(scene.maxVector > 0)) return {};
     ScalarBar bar;
     bar.colors = {Color{170, 170, 170}};
-    bar.hi = scene.maxVector;
-    bar.title = "vector length";
+    const bool fades = lic.magnitude == Magnitude::contrast;
+    bar.hi = fades ? scene.fullStreaks() : scene.maxVector;
+    const std::string name = scene.vectorsName.empty() ? "vectors" : scene.vectorsName;
+    bar.title = "streaks: " + name + " along the surface";
     bar.fill = lic.magnitude == Magnitude::contrast ? BarFill::fadingStreaks : BarFill::shorterStreaks;
     return bar;
 }

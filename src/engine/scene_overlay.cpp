@@ -9,6 +9,7 @@
 #include "description/overlays.h"
 #include "render/overlay/mesh_lines.h"
 #include "render/overlay/streamline_strokes.h"
+#include "render/overlay/streamline_through.h"
 #include "render/overlay/surface_lines.h"
 #include "render/overlay/topology_lines.h"
 
@@ -55,6 +56,36 @@ std::shared_ptr<const SurfaceOverlay> SceneOverlay::topologyOf(double persistenc
     return topology_;
 }
 
+std::shared_ptr<const SurfaceOverlay> SceneOverlay::separationOf(double persistence, const Scene& scene)
+{
+    if (separation_ && apart_ == persistence) return separation_;
+    const auto lines = streamlinesOf(scene);
+    separation_ =
+        std::make_shared<SurfaceLines>(openLines(lines->surface(), separationLines(lines->surface(), persistence)));
+    apart_ = persistence;
+    return separation_;
+}
+
+std::shared_ptr<EvenStreamlines> SceneOverlay::streamlinesOf(const Scene& scene)
+{
+    if (!streamlines_) {
+        PointFlow flow = pointFlow(scene);
+        streamlines_ = std::make_shared<EvenStreamlines>(std::move(flow.mesh), std::move(flow.vectors));
+    }
+    return streamlines_;
+}
+
+std::shared_ptr<const SurfaceOverlay> SceneOverlay::lineThrough(const std::array<double, 3>& positionWorld,
+                                                                const Scene& scene)
+{
+    if (through_ && throughWorld_ == positionWorld) return through_;
+    const auto lines = streamlinesOf(scene);
+    through_ = std::make_shared<SurfaceLines>(
+        streamlineThrough(lines->surface(), {positionWorld[0], positionWorld[1], positionWorld[2]}));
+    throughWorld_ = positionWorld;
+    return through_;
+}
+
 std::shared_ptr<const SurfaceOverlay> SceneOverlay::of(const ShadingOptions& shading, const Scene& scene)
 {
     const Overlays asked = overlaysOf(shading.overlay);
@@ -67,13 +98,10 @@ std::shared_ptr<const SurfaceOverlay> SceneOverlay::of(const ShadingOptions& sha
         if (!outline_) outline_ = std::make_shared<SurfaceOutline>(scene.surface);
         parts.push_back(outline_);
     }
-    if (asked.streamlinesPx > 0) {
-        if (!streamlines_) {
-            PointFlow flow = pointFlow(scene);
-            streamlines_ = std::make_shared<EvenStreamlines>(std::move(flow.mesh), std::move(flow.vectors));
-        }
-        parts.push_back(std::make_shared<StreamlineStrokes>(streamlines_, asked.streamlinesPx));
-    }
+    if (asked.streamlinesPx > 0)
+        parts.push_back(std::make_shared<StreamlineStrokes>(streamlinesOf(scene), asked.streamlinesPx));
+    if (asked.through) parts.push_back(lineThrough(*asked.through, scene));
+    if (asked.separation) parts.push_back(separationOf(shading.persistence, scene));
     if (asked.topology) parts.push_back(topologyOf(shading.persistence, scene));
     if (parts.size() > 1) return std::make_shared<OverlayStack>(std::move(parts));
     return parts.empty() ? nullptr : parts.front();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "data/scene.h"
@@ -25,10 +26,15 @@ public:
 
 private:
     std::shared_ptr<const SurfaceOverlay> topologyOf(double persistence, const Scene& scene);
+    std::shared_ptr<const SurfaceOverlay> separationOf(double persistence, const Scene& scene);
+    std::shared_ptr<EvenStreamlines> streamlinesOf(const Scene& scene);
+    std::shared_ptr<const SurfaceOverlay> lineThrough(const std::array<double, 3>& positionWorld, const Scene& scene);
 
-    std::shared_ptr<const SurfaceOverlay> topology_, edges_, outline_;
+    std::shared_ptr<const SurfaceOverlay> topology_, separation_, edges_, outline_;
     std::shared_ptr<EvenStreamlines> streamlines_;
-    double persistence_ = 0;  // topology_'s.
+    double persistence_ = 0, apart_ = 0;  // topology_'s and separation_'s.
+    std::shared_ptr<const SurfaceOverlay> through_;
+    std::array<double, 3> throughWorld_{};  // through_'s.
 };
 
 }  // namespace aeolic

@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, SceneOverlays, allBackends, backendName);
 TEST_P(SceneOverlays, TheSameBytesFromAnyNumberOfRanksAndThreads)
 {
     SceneDescription scene = described();
-    scene.shading.overlay = "edges,outline,streamlines:10,topology";
+    scene.shading.overlay = "edges,outline,streamlines:10,topology,separation,through:0.3:-0.9:0.1";
     const Picture alone = Renderer(scene).render();
     for (const int count : {2, 3}) {
         runRanks(count, [&](Communicator& ranks) {
@@ -78,11 +78,34 @@ TEST_P(SceneOverlays, EachPaintsWhatTheOthersDoNot)
 {
     SceneDescription scene = described("sphere:500", "abc:16,16,16");
     std::set<std::vector<std::uint8_t>> pictures;
-    for (const char* overlay : {"none", "edges", "outline", "streamlines", "streamlines:60", "topology",
-                                "streamlines,outline", "edges,outline"}) {
+    for (const char* overlay : {"none", "edges", "outline", "streamlines", "streamlines:60", "topology", "separation",
+                                "streamlines,outline", "edges,outline", "through:0:-1:0.2", "through:0:-1:0.6"}) {
         scene.shading.overlay = overlay;
         EXPECT_TRUE(pictures.insert(Renderer(scene).render().pixels).second) << overlay;
     }
+}
+
+/// The circle around the axis through the point that is asked for, seen from the side: a row of the picture.
+TEST_P(SceneOverlays, TheStreamlineThroughAPlace)
+{
+    SceneDescription scene = described("sphere:20000", "rotation:33,33,33");
+    scene.lic.method = LicMethod::none;
+    scene.output.width = scene.output.height = 201;
+    scene.camera.position = Vec3{0, -10, 0};
+    scene.camera.focal = Vec3{0, 0, 0};
+    scene.camera.up = Vec3{0, 0, 1};
+    scene.shading.overlay = "none";
+    const Picture without = Renderer(scene).render();
+    scene.shading.overlay = "through:0.1:-3:0";
+    const Picture with = Renderer(scene).render();
+    std::size_t changed = 0, far = 0;
+    for (std::size_t i = 0; i < with.pixels.size(); ++i) {
+        if (with.pixels[i] == without.pixels[i]) continue;
+        ++changed;
+        far += std::abs(int(i / (3 * 201)) - 100) > 12;
+    }
+    EXPECT_GT(changed, 500u);
+    EXPECT_EQ(far, 0u);
 }
 
 /// Which levels of streamlines there are depends on what was looked at before; a picture does not.
@@ -250,8 +273,8 @@ TEST(FlowTopology, TheSameOnAllRanksAndByThePersistenceAskedFor)
     for (const FlowPoint& point : alone.points) sum += point.index;
     EXPECT_EQ(sum, 0) << "the Euler characteristic";
     for (const FlowLine& line : alone.lines) {
-        EXPECT_EQ(alone.points[line.saddle].index, -1);
-        EXPECT_EQ(line.places.front().position, alone.points[line.saddle].at.position);
+        EXPECT_EQ(alone.points[*line.saddle].index, -1);
+        EXPECT_EQ(line.places.front().position, alone.points[*line.saddle].at.position);
     }
     runRanks(2, [&](Communicator& ranks) {
         Renderer renderer(scene, std::shared_ptr<Communicator>(&ranks, [](Communicator*) {}));

@@ -33,6 +33,9 @@ public:
     /// Local. To be called when the frame that next() gave is started.
     void started() { ++started_; }
 
+    /// Local. Some frame is started that finish() has not given.
+    bool any() const { return started_ > given_; }
+
     /// Collective. Waits for the oldest frame started. It is over then, also where that fails, and stays until as many
     /// more have been started as there are places. Throws std::logic_error where none is started.
     StartedFrame& finish(Backend& backend, FrameGroup& group);

@@ -103,6 +103,7 @@ std::optional<PickedPlace> pickSurface(const Scene& scene, const Camera& camera,
     const SceneSurface* const surface = surfaceOf(scene, mesh, hit->place.triangle);
     picked.surface = surface ? surface->name : mesh.name;
     if (std::isfinite(vector.x + vector.y + vector.z)) {
+        picked.vectorName = scene.vectorsName;
         picked.vector = toVec3(vector);
         picked.tangential = toVec3(vector - glm::dot(vector, normal) * normal);
     }

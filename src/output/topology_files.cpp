@@ -54,7 +54,7 @@ std::string topologyVtp(const FlowTopology& topology)
         types.push_back(typeOf(line));
         attracts.push_back(0);
         indices.push_back(0);
-        strengths.push_back(topology.points[line.saddle].strength);
+        strengths.push_back(line.strength);
         lengths.push_back(line.length);
     }
     data.addWhole("type", types);
@@ -75,8 +75,8 @@ std::string topologyCsv(const FlowTopology& topology)
     for (std::size_t i = 0; i < topology.lines.size(); ++i) {
         const FlowLine& line = topology.lines[i];
         for (const SurfaceValues& place : line.places)
-            text += fmt::format("{},{},0,0,{},{}{}\n", i, line.separates ? "separation" : "attachment",
-                                topology.points[line.saddle].strength, line.length, csvPlace(place, hasScalar));
+            text += fmt::format("{},{},0,0,{},{}{}\n", i, line.separates ? "separation" : "attachment", line.strength,
+                                line.length, csvPlace(place, hasScalar));
     }
     return text;
 }

@@ -28,8 +28,9 @@ FlowTopology sample()
     topology.points = {{{{0, 0, 0}, {0, 0, 1}, 5}, CriticalPointKind::saddle, false, -1, 2.5},
                        {{{1, 0, 0}, {0, 0, 0}, 6}, CriticalPointKind::node, true, 1, 1},
                        {{{-1, 0, 0.5}, {0, 0, 0}, kNaN}, CriticalPointKind::focus, false, 1, 3}};
-    topology.lines = {{0, 1, true, 1, {topology.points[0].at, {{0.5, 0, 0}, {1, 0, 0}, 5.5}, topology.points[1].at}},
-                      {0, std::nullopt, false, 2, {topology.points[0].at, topology.points[2].at}}};
+    topology.lines = {
+        {0, 1, true, 1, 2.5, {topology.points[0].at, {{0.5, 0, 0}, {1, 0, 0}, 5.5}, topology.points[1].at}},
+        {0, std::nullopt, false, 2, 2.5, {topology.points[0].at, topology.points[2].at}}};
     return topology;
 }
 

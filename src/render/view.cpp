@@ -31,7 +31,8 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     view.frontFacesOnly = scene.frontFacesOnly;
     view.normalize = lic.normalize && lic.magnitude != Magnitude::length;
     const double vectorUnit = aeolic::vectorUnit(scene), maxVector = scene.maxVector / vectorUnit;
-    view.fadePerVector = lic.magnitude == Magnitude::contrast && maxVector > 0 ? float(1 / maxVector) : 0.0f;
+    view.fadePerVector =
+        lic.magnitude == Magnitude::contrast && maxVector > 0 ? float(vectorUnit / scene.fullStreaks()) : 0.0f;
     view.vectorUnit = float(vectorUnit);
     view.vectorFactor = float(1 / vectorUnit);
     view.maskBelow = float(lic.maskBelow / vectorUnit);

@@ -23,6 +23,7 @@ constexpr TypeRule kRules[] = {
     {MessageType::change, bit(Sender::viewer), 16 * kKiB},
     {MessageType::follow, bit(Sender::viewer), 4},
     {MessageType::start, bit(Sender::viewer), 0},
+    {MessageType::pick, bit(Sender::viewer), 16 * kKiB},
     {MessageType::welcome, bit(Sender::gateway), kMiB},
     {MessageType::state, bit(Sender::gateway), 64 * kKiB},
     {MessageType::scene, bit(Sender::gateway) | bit(Sender::rank), 4 * kMiB},
@@ -32,6 +33,7 @@ constexpr TypeRule kRules[] = {
     {MessageType::notice, bit(Sender::gateway) | bit(Sender::rank), 64 * kKiB},
     {MessageType::offer, bit(Sender::gateway), kMiB},
     {MessageType::changed, bit(Sender::gateway), 4},
+    {MessageType::picked, bit(Sender::gateway) | bit(Sender::rank), 64 * kKiB},
     {MessageType::join, bit(Sender::rank), 4 * kKiB},
     {MessageType::load, bit(Sender::gatewayToRank), kMiB},
     {MessageType::draw, bit(Sender::gatewayToRank), 64 * kKiB},
@@ -43,6 +45,7 @@ constexpr TypeRule kRules[] = {
     {MessageType::knock, bit(Sender::rank), kKiB},
     {MessageType::challenge, bit(Sender::gatewayToRank), kKiB},
     {MessageType::renewed, bit(Sender::rank), 0},
+    {MessageType::probe, bit(Sender::gatewayToRank), 64 * kKiB},
 };
 
 constexpr std::uint32_t kLargestSide = 32768;

@@ -17,6 +17,7 @@ enum class MessageType : std::uint8_t {
     change = 0x04,
     follow = 0x05,
     start = 0x06,
+    pick = 0x07,
     welcome = 0x41,
     state = 0x42,
     scene = 0x43,
@@ -26,6 +27,7 @@ enum class MessageType : std::uint8_t {
     notice = 0x47,
     offer = 0x48,
     changed = 0x49,
+    picked = 0x4A,
     join = 0x81,
     load = 0x82,
     draw = 0x83,
@@ -37,6 +39,7 @@ enum class MessageType : std::uint8_t {
     knock = 0x89,
     challenge = 0x8A,
     renewed = 0x8B,
+    probe = 0x8C,
 };
 
 /// Who may send what.

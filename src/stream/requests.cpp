@@ -144,6 +144,19 @@ ViewRequest viewFrom(const Json& json, int largestSide)
     return request;
 }
 
+PickRequest pickFrom(Json json, int largestSide)
+{
+    const std::uint32_t x = numberFrom(json, "x"), y = numberFrom(json, "y");
+    json.erase("x");
+    json.erase("y");
+    PickRequest pick{viewFrom(json, largestSide)};
+    const std::uint32_t width = numberFrom(json, "width"), height = numberFrom(json, "height");
+    if (x >= width || y >= height) throw ProtocolError("a pixel outside of the view");
+    pick.x = int(std::uint64_t(x) * std::uint64_t(pick.view.width) / width);
+    pick.y = int(std::uint64_t(y) * std::uint64_t(pick.view.height) / height);
+    return pick;
+}
+
 SceneDescription withView(const SceneDescription& scene, const ViewRequest& view, int width, int height)
 {
     if (view.options.contains("shading") && view.options["shading"].contains("colorBy"))
@@ -292,6 +305,27 @@ DrawRequest drawFrom(const Json& json)
     draw.direct = switchFrom(json, "direct");
     draw.scene = sceneFromDocument(field(json, "scene"), "");
     return draw;
+}
+
+std::string probeToJson(const ProbeRequest& probe)
+{
+    return Json{{"viewer", probe.viewer},
+                {"view", probe.view},
+                {"x", probe.x},
+                {"y", probe.y},
+                {"scene", sceneDocument(probe.scene)}}
+        .dump();
+}
+
+ProbeRequest probeFrom(const Json& json)
+{
+    ProbeRequest probe;
+    probe.viewer = numberFrom(json, "viewer");
+    probe.view = numberFrom(json, "view");
+    probe.x = int(numberFrom(json, "x"));
+    probe.y = int(numberFrom(json, "y"));
+    probe.scene = sceneFromDocument(field(json, "scene"), "");
+    return probe;
 }
 
 }  // namespace aeolic::stream

@@ -42,6 +42,14 @@ struct ViewRequest {  // NOLINT(bugprone-exception-escape): JSON takes memory wh
 /// Throws ProtocolError. Sizes over `largestSide` are reduced to it in proportion.
 ViewRequest viewFrom(const Json& json, int largestSide);
 
+/// A viewer asks what its view shows at a pixel, counted from the upper left.
+struct PickRequest {  // NOLINT(bugprone-exception-escape): as in ViewRequest.
+    ViewRequest view;
+    int x = 0, y = 0;
+};
+/// Throws ProtocolError. Where the view's size is reduced, so is the pixel's place.
+PickRequest pickFrom(Json json, int largestSide);
+
 /// How many samples of the noise one picture of the scene takes at most: pixels times integration steps, both ways, for
 /// the direct method; pixels times levels of jumps for the hierarchical one. What a picture costs follows from that.
 std::uint64_t samplesOf(const SceneDescription& scene);
@@ -94,5 +102,14 @@ struct DrawRequest {
 };
 std::string drawToJson(const DrawRequest& draw);
 DrawRequest drawFrom(const Json& json);
+
+/// What the job is asked of a viewer's pixel. As text it is the payload of Probe.
+struct ProbeRequest {
+    std::uint32_t viewer = 0, view = 0;
+    int x = 0, y = 0;
+    SceneDescription scene;  ///< Only camera and size are looked at.
+};
+std::string probeToJson(const ProbeRequest& probe);
+ProbeRequest probeFrom(const Json& json);
 
 }  // namespace aeolic::stream

@@ -6,7 +6,7 @@ import {test} from 'node:test';
 import {pixelsToRgba} from '../../web/picture/lz4.js';
 import {pngDecode} from '../../web/picture/png.js';
 import {OPTIONS} from './mock/options.js';
-import {canvasPixels, stageBox, until, waitForRest, waitForState} from './harness.js';
+import {canvasPixels, openPage, stageBox, until, waitForRest, waitForState} from './harness.js';
 import {middle, open, openEmpty, page, restAfter, sent, server} from './visit.js';
 
 test('loads: a picture of the stage\'s size, exact, and the Hello first', async () => {
@@ -280,4 +280,87 @@ test('an address without the right token opens a page that says what to do', asy
     return {background: backgroundColor, text: color};
   });
   assert.deepEqual([background, text], ['rgb(255, 255, 255)', 'rgb(22, 33, 42)'], 'its style is let in');
+});
+
+test('a click tells what is there, a drag does not, and looking elsewhere closes it', async () => {
+  await open();
+  const [x, y] = await middle(), box = await stageBox(page), card = page.locator('#place > div');
+  await page.mouse.click(x + 20, y - 10);
+  await card.waitFor();
+  const asked = sent.filter(({type}) => type === 7).at(-1).json, {width, height} = sent.lastView();
+  assert.deepEqual([asked.x, asked.y], [Math.floor((x + 20 - box.x) / box.width * width), Math.floor((y - 10 - box.y) / box.height * height)]);
+  assert.deepEqual([asked.width, asked.height], [width, height]);
+  if (server.mock) {
+    const rows = await card.locator('dt').allTextContents(), values = await card.locator('dd').allTextContents();
+    assert.deepEqual(rows, ['p', 'U', 'Along surface', 'Position']);
+    assert.deepEqual(values, ['-0.3125', '5 (3, 0, 4)', '3 60 %', '0.25, -0.5, 1e-7']);
+    assert.equal(await card.locator('h2').textContent(), 'ball.vtp');
+  }
+  const place = await card.boundingBox();
+  assert.ok(place.x >= box.x && place.y >= box.y && place.x + place.width <= box.x + box.width && place.y + place.height <= box.y + box.height);
+  await until(() => sent.lastView().shading.overlay?.startsWith('through:'), 'the streamline through the place');
+  if (server.mock) assert.equal(sent.lastView().shading.overlay, 'through:0.25:-0.5:1e-7');
+  await restAfter(() => page.keyboard.press('Escape'));
+  assert.equal(await card.isVisible(), false);
+  assert.equal(sent.lastView().shading.overlay, undefined);
+
+  await page.mouse.click(x, y);
+  await card.waitFor();
+  const picks = sent.filter(({type}) => type === 7).length;
+  await restAfter(async () => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 40, y + 5, {steps: 3});
+    await page.mouse.up();
+  });
+  assert.equal(await card.isVisible(), false);
+  assert.equal(sent.filter(({type}) => type === 7).length, picks);
+  assert.ok(sent.lastView().shading.overlay.startsWith('through:'), 'the line stays while one looks around');
+});
+
+test('the card of a place near the edges stays inside, and the keyboard asks, too', async () => {
+  await open({viewport: {width: 700, height: 500}});
+  const box = await stageBox(page), card = page.locator('#place > div');
+  if (server.mock)
+    for (const [right, down] of [[0.01, 0.01], [0.99, 0.01], [0.99, 0.99], [0.01, 0.99]]) {
+      await page.mouse.click(box.x + right * box.width, box.y + down * box.height);
+      await card.waitFor();
+      const {x, y, width, height} = await card.boundingBox();
+      assert.ok(x >= box.x && y >= box.y && x + width <= box.x + box.width && y + height <= box.y + box.height, `at ${right}, ${down}`);
+      await page.getByRole('button', {name: 'Close the values'}).click();
+      assert.equal(await card.isVisible(), false);
+    }
+  await page.locator('#stage').focus();
+  await page.keyboard.press('Enter');
+  await card.waitFor();
+});
+
+test('a click beside the surface closes the card, and nobody is asked while another is followed', async () => {
+  await open();
+  if (!server.mock) return;
+  const [x, y] = await middle(), card = page.locator('#place > div');
+  await page.mouse.click(x, y);
+  await card.waitFor();
+  const told = server.mock.placeAt, picks = () => sent.filter(({type}) => type === 7).length;
+  await until(() => sent.lastView().shading.overlay !== undefined, 'the line');
+  server.mock.placeAt = () => null;
+  await page.mouse.click(x + 50, y);
+  await until(() => sent.lastView().shading.overlay === undefined, 'the line to go');
+  assert.equal(picks(), 2);
+  assert.equal(await card.isVisible(), false);
+  server.mock.placeAt = told;
+
+  const other = await openPage(server.url);
+  try {
+    await waitForState(other, 'ready');
+    await page.locator('#viewers-button').click();
+    await page.locator('#viewers-list button').last().click();
+    await page.locator('#following').waitFor();
+    await page.mouse.click(x, y);
+    await page.waitForTimeout(300);
+    assert.equal(picks(), 2);
+    assert.equal(await card.isVisible(), false);
+  } finally {
+    await other.context().close();
+  }
 });

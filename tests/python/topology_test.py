@@ -5,16 +5,17 @@ import pytest
 import aeolic
 
 
-def square(n=41):
-    """A plane of points in which the flow turns around the middle and stops at two saddles."""
+def square(n=41, flow=None):
+    """A plane of points in which the flow turns around the middle and stops at two saddles, or flow(x, y)."""
     x, y = (a.ravel() for a in numpy.meshgrid(numpy.linspace(-2, 2, n), numpy.linspace(-2, 2, n)))
     points = numpy.stack([x, y, 0 * x], axis=1)
     corner = (numpy.arange(n - 1)[:, None] * n + numpy.arange(n - 1)).ravel()
     triangles = numpy.concatenate([numpy.stack([corner, corner + 1, corner + n + 1], axis=1),
                                    numpy.stack([corner, corner + n + 1, corner + n], axis=1)])
     # A node at (0, 0.01) that repels, saddles at x = ±1.
-    flow = numpy.stack([x * (1 - x * x), y - 0.01, 0 * x], axis=1)
-    return aeolic.Surface(points, triangles, point_data={"U": flow, "p": x})
+    along_x, along_y = flow(x, y) if flow else (x * (1 - x * x), y - 0.01)
+    vectors = numpy.stack([along_x, along_y, 0 * x], axis=1)
+    return aeolic.Surface(points, triangles, point_data={"U": vectors, "p": x})
 
 
 def test_points_and_lines_as_arrays():
@@ -59,3 +60,17 @@ def test_files_are_those_of_the_command_line(tmp_path):
         found.save("a.obj")
     with pytest.raises(OSError):
         found.save(tmp_path / "none" / "a.csv")
+
+
+def test_open_lines_where_streamlines_gather():
+    gathered = square(flow=lambda x, y: (1 + 0 * x, -1.5 * y))
+    found = aeolic.separation(gathered, vectors="U", color_by="p")
+    assert len(found.kinds) == 0 and len(found.lines) == 1 and found.scalar_name == "p"
+    line = found.lines[0]
+    assert line.kind == "separation" and line.saddle is None and line.end is None and line.strength > 0.69
+    assert abs(line.positions[:, 1]).max() < 0.1 and (numpy.diff(line.positions[:, 0]) > 0).all()
+    renderer = aeolic.Renderer(gathered, vectors="U", overlay="separation", size=(120, 90))
+    assert len(renderer.separation().lines) == 1
+    with_line = numpy.asarray(renderer.render()).copy()
+    renderer.set(overlay="none")
+    assert (numpy.asarray(renderer.render()) != with_line).any()

@@ -163,7 +163,10 @@ PixelImage project(const View& view, const Scene& scene, const NoisePyramid& noi
             else if (!mesh.pointVectors.empty())
                 v = interpolate(mesh.pointVectors, t, hit.u, hit.v);
             p.hasFlow = std::isfinite(v.x + v.y + v.z);
-            if (scene.colorByFieldMagnitude && !surface.ownScalar)
+            if (needsNormal(scene.ofVectors) && !surface.ownScalar)
+                p.scalar = scene.ofVectors == ArrayPart::normal ? glm::dot(v, normal)
+                                                                : glm::length(v - normal * glm::dot(v, normal));
+            else if (scene.ofVectors == ArrayPart::length && !surface.ownScalar)
                 p.scalar = glm::length(sampleField(*scene.field, position + mesh.originWorld));
             else if (scene.scalarField && !surface.ownScalar)
                 p.scalar = sampleField(*scene.scalarField, position + mesh.originWorld).x;

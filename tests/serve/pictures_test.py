@@ -17,6 +17,49 @@ def read(path):
         return file.read()
 
 
+class PicksOfPixels(unittest.TestCase):
+    """What a view shows at a pixel, between pictures of others."""
+
+    def picks(self, ranks):
+        scene = ["--surface", "sphere:20000", "--field", "rotation:33,33,33", "--color-by", "rotation:mag", "--steps", "4"]
+        with Server("--ranks", str(ranks), scene=scene) as server, server.viewer() as a, server.viewer() as b:
+            a.until(lambda _: a.scene)
+            view = {"camera": {"azimuth": 0, "elevation": 0}}
+            place = a.pick(32, 24, **view)
+            x, y, z = place["position"]
+            self.assertAlmostEqual(x * x + y * y + z * z, 1, delta=0.01)
+            self.assertLess(y, -0.9)
+            turns = place["scalar"] / (x * x + y * y) ** 0.5
+            self.assertAlmostEqual(place["vector"][0], -turns * y, delta=0.02)
+            self.assertEqual((place["scalarName"], place["vectorName"], place["surface"]), ("|rotation|", "rotation", "sphere"))
+            self.assertIsNone(a.pick(0, 0, **view))
+            told = run("probe", "32,24", *scene, "--size", "64x48", "--camera", "azimuth=0,elevation=0").stdout
+            self.assertEqual([float(number) for number in told.splitlines()[0].split()[1:]],
+                             [float(f"{number:.9g}") for number in place["position"]])
+            picture = b.see(width=64, height=48)
+            for turn in range(5):  # Pictures of others, and of other sizes, do not change what is told.
+                wanted = b.view(width=90 + turn, height=40)
+                self.assertEqual(a.pick(32, 24, **view), place)
+                b.picture(wanted)
+            self.assertEqual(b.see(width=64, height=48).pixels(), picture.pixels())
+            self.assertIn("azimuth", a.pick(1, 1, camera={"azimuth": "east"}))
+
+    def test_one_rank(self):
+        self.picks(1)
+
+    @unittest.skipUnless(has_mpirun, "no mpirun, or a build without MPI")
+    def test_two_ranks(self):
+        self.picks(2)
+
+    @unittest.skipUnless(has_mpirun, "no mpirun, or a build without MPI")
+    def test_of_pieces_are_refused(self):
+        scene = ["--surface", "sphere:2000", "--field", "rotation:33,33,33", "--bricks", "on"]
+        with Server("--ranks", "2", scene=scene) as server, server.viewer() as viewer:
+            viewer.until(lambda _: viewer.scene)
+            self.assertIn("pick: the surface or its field is in pieces", viewer.pick(32, 24))
+            viewer.see(width=64, height=48)
+
+
 class SameBytesAsRender(unittest.TestCase):
     """grab of a running server against render, file against file."""
 

@@ -12,8 +12,8 @@ import time
 import urllib.parse
 import zlib
 
-HELLO, VIEW, SHOWN, CHANGE, FOLLOW, START = 0x01, 0x02, 0x03, 0x04, 0x05, 0x06
-WELCOME, STATE, SCENE, FRAME, TILE, FRAME_END, NOTICE, OFFER, CHANGED = 0x41, 0x42, 0x43, 0x44, 0x45, 0x46, 0x47, 0x48, 0x49
+HELLO, VIEW, SHOWN, CHANGE, FOLLOW, START, PICK = 0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07
+WELCOME, STATE, SCENE, FRAME, TILE, FRAME_END, NOTICE, OFFER, CHANGED, PICKED = range(0x41, 0x4B)
 RAW, JPEG, PNG, LZ4, LZO = range(5)
 
 
@@ -209,6 +209,7 @@ class Viewer:
             self.wire.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_bytes)
         self.timeout, self.state, self.scene, self.welcome = timeout, {}, None, None
         self.notices, self.states, self.frame, self.last_view, self.offer = [], [], None, 0, None
+        self.picked = None  # The newest answer to a Pick.
         self.answered = None  # The newest change of its own that is answered.
         self.restarts = 0  # How often the job went away while this viewer was there.
         self.wire.send(upgrade(path + ("?token=" + token if token else ""), f"{host}:{port}", fields))
@@ -283,6 +284,8 @@ class Viewer:
             self.offer = json.loads(payload)["direct"]
         elif kind == CHANGED:
             self.answered = struct.unpack("<I", payload)[0]
+        elif kind == PICKED:
+            self.picked = json.loads(payload)
         elif kind == NOTICE:
             self.notices.append(json.loads(payload))
         else:
@@ -316,6 +319,14 @@ class Viewer:
         self.last_view += 1
         self.send(VIEW, {"view": self.last_view, "moving": moving, "width": width, "height": height, **options})
         return self.last_view
+
+    def pick(self, x, y, width=64, height=48, **options):
+        """What that view shows at a pixel, or the words of a refusal."""
+        self.last_view += 1
+        asked, told = self.last_view, len(self.notices)
+        self.send(PICK, {"view": asked, "moving": False, "width": width, "height": height, "x": x, "y": y, **options})
+        self.until(lambda _: (self.picked and self.picked["view"] == asked) or len(self.notices) > told)
+        return self.notices[-1]["message"] if len(self.notices) > told else self.picked["place"]
 
     def until(self, what, seconds=None, show=True):
         """Steps until what(frame or None) is true. Returns its value."""

@@ -4,8 +4,9 @@
 export const MAGIC = 0xae, VERSION = 1, HEADER_BYTES = 8;
 
 export const Type = Object.freeze({
-  hello: 0x01, view: 0x02, shown: 0x03, change: 0x04, follow: 0x05, start: 0x06,
+  hello: 0x01, view: 0x02, shown: 0x03, change: 0x04, follow: 0x05, start: 0x06, pick: 0x07,
   welcome: 0x41, state: 0x42, scene: 0x43, frame: 0x44, tile: 0x45, frameEnd: 0x46, notice: 0x47, offer: 0x48, changed: 0x49,
+  picked: 0x4a,
 });
 
 export const Codec = Object.freeze({raw: 0, jpeg: 1, png: 2, lz4: 3, lzo: 4});
@@ -20,7 +21,7 @@ const LARGEST_PICTURE_PX = 1 << 28;
 const PAYLOAD_BYTES = {
   [Type.welcome]: [2, MIB], [Type.state]: [2, 64 * KIB], [Type.scene]: [2, 4 * MIB], [Type.frame]: [FRAME_BYTES, FRAME_BYTES],
   [Type.tile]: [TILE_BYTES, 64 * MIB], [Type.frameEnd]: [FRAME_END_BYTES + 2, MIB], [Type.notice]: [2, 64 * KIB],
-  [Type.offer]: [2, MIB], [Type.changed]: [4, 4],
+  [Type.offer]: [2, MIB], [Type.changed]: [4, 4], [Type.picked]: [2, 64 * KIB],
 };
 
 export class ProtocolError extends Error {}
@@ -39,7 +40,7 @@ function withHeader(type, payload) {
   return message;
 }
 
-/// A message with one JSON object: Hello, View, Change.
+/// A message with one JSON object: Hello, View, Change, Pick.
 export function jsonMessage(type, object) {
   return withHeader(type, new TextEncoder().encode(JSON.stringify(object)));
 }

@@ -14,7 +14,7 @@ const KEPT_SIZES = 64;  // So many views are remembered, because frames may stil
 const textOf = (view) => JSON.stringify(view.home ? {...view, camera: null} : view);
 
 /// Events: `status` whenever `link`, `state` or `lost` changed; `notice` ({level, message}); `answered` (latency in
-/// ms); `following` (viewer or 0).
+/// ms); `following` (viewer or 0); `picked` ({view, place}).
 export class Session extends Emitter {
   link = 'connecting';  // connecting | open | lost | denied
   lost = null;          // {reason, retryAtMs} while lost.
@@ -45,7 +45,8 @@ export class Session extends Emitter {
       .on('message', (data) => this.#receive(data))
       .on('down', (lost) => this.#down('lost', lost))
       .on('denied', () => this.#down('denied', null));
-    model.on('camera', (isMoving) => this.changedView(isMoving)).on('options', (isMoving) => this.changedView(isMoving));
+    model.on('camera', (isMoving) => this.changedView(isMoving)).on('options', (isMoving) => this.changedView(isMoving))
+      .on('through', () => this.changedView(false));
     frames.hasDirect = () => this.#direct.count > 0;
     frames.on('complete', (frame) => this.#completed(frame)).on('shown', (frame) => this.#shown(frame))
       .on('broken', (frame, message) => this.#broken(frame, message));
@@ -99,6 +100,15 @@ export class Session extends Emitter {
     return view;
   }
 
+  /// Asks what the view of now shows at that pixel of the stage. The number of the question comes back with `picked`;
+  /// null: nobody can be asked.
+  pick(x, y) {
+    if (!this.#connection.isOpen || !this.#model.camera || !this.#stage.size || this.following !== 0) return null;
+    const view = ++this.#lastView;
+    this.#connection.send(jsonMessage(Type.pick, {view, ...this.#viewOf(false), x, y}));
+    return view;
+  }
+
   #viewOf(isMoving) {
     const {width, height} = this.#stage.size;
     return {moving: isMoving, width, height, home: this.#model.farnessFromHome, ...this.#model.viewGroups(isMoving)};
@@ -120,6 +130,7 @@ export class Session extends Emitter {
       case Type.tile: return this.#frames.tile(message);
       case Type.frameEnd: return this.#ended(message.frame, message.json);
       case Type.changed: return this.changes.answered(message.change);
+      case Type.picked: return this.emit('picked', message.json);
       case Type.offer: return this.#direct.connect(message.json.direct);
       case Type.notice: return this.#noticed(message.json);
     }

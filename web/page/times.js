@@ -7,12 +7,14 @@ import {nextMoment} from '../view/play_time.js';
 import {timeOf} from '../view/surface_spec.js';
 
 const HOLD = 'time';
+const STUCK_MS = 4000;  // A picture that does not come for so long is not waited for.
 
 export class Times {
   isPlaying = false;
   #times = [];
   #now = 0;       // The time that is shown, or was asked for last.
   #movedMs = 0;   // While playing: when the last moment was asked for.
+  #watch = 0;     // While playing: the timer that sees whether it goes on.
   #model;
   #changes;
   #parts;
@@ -50,7 +52,9 @@ export class Times {
     if (!this.isThere || isPlaying === this.isPlaying) return;
     this.isPlaying = isPlaying;
     this.#showPlaying();
+    clearInterval(this.#watch);
     if (!isPlaying) return this.#changes.release(HOLD);
+    this.#watch = setInterval(() => performance.now() - this.#movedMs > STUCK_MS && this.#advance(), STUCK_MS / 4);
     this.#changes.hold(HOLD);
     this.#movedMs = performance.now();
     this.#advance();

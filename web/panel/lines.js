@@ -15,7 +15,7 @@ export function linesPart({model}) {
   }
   let spacing = USUAL_SPACING;  // The last one, while there are no streamlines.
   const usual = () => ofScene().streamlines || USUAL_SPACING;
-  const switches = [['streamlines', 'Streamlines'], ['topology', 'Topology'], ['outline', 'Outline'], ['edges', 'Mesh edges']].map(([key, label]) => {
+  const switches = [['streamlines', 'Streamlines'], ['topology', 'Topology'], ['separation', 'Open separation'], ['outline', 'Outline'], ['edges', 'Mesh edges']].map(([key, label]) => {
     const turn = (isOn) => change({[key]: key === 'streamlines' ? (isOn ? spacing : 0) : isOn});
     return {key, row: toggle({label, onInput: turn, onReset: () => change({[key]: ofScene()[key]})})};
   });
@@ -31,7 +31,7 @@ export function linesPart({model}) {
     for (const {key, row} of switches) row.set(now[key] > 0, now[key] > 0 !== ofScene()[key] > 0);
     apart.set(spacing, now.streamlines > 0 && spacing !== usual());
     apart.show(now.streamlines > 0);
-    persistence.show(now.topology);
+    persistence.show(now.topology || now.separation);
   }
   const [streamlines, ...others] = switches.map(({row}) => row);
   return {title: 'Lines', elements: [streamlines, apart, ...others, persistence].map((row) => row.element), update};

@@ -28,7 +28,7 @@ export class Flowing {
     this.#canvas = canvas;
     this.#makePlayer = makePlayer;
     const {model, frames, stage, session} = page, again = () => this.#startAgain();
-    model.on('camera', again).on('options', again).on('scene', () => {
+    model.on('camera', again).on('options', again).on('through', again).on('scene', () => {
       this.#startAgain();
       this.#isRedrawn = true;
     });

@@ -9,20 +9,20 @@ const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowD
 export const HELP = [
   [['←', '→', '↑', '↓'], 'Turn'], [['Shift', '← → ↑ ↓'], 'Move sideways'], [['+', '−'], 'Closer, farther'], [['[', ']'], 'Roll'],
   [['0'], 'Reset the view'], [['1', '2'], 'From −y, from +y'], [['3', '4'], 'From +x, from −x'], [['5', '6'], 'From +z, from −z'],
-  [['Space'], 'Play, pause'], [['S'], 'Statistics'], [['P'], 'Panel'], [['F'], 'Full screen'], [['C'], 'Copy link'], [['?'], 'This help'],
+  [['Space'], 'Play, pause'], [['Enter'], 'Values in the middle'], [['Esc'], 'Values and line away'], [['S'], 'Statistics'], [['P'], 'Panel'], [['F'], 'Full screen'], [['C'], 'Copy link'], [['?'], 'This help'],
 ];
 /// [gesture, what it does]
 export const POINTER_HELP = [
-  ['Drag, one finger', 'Turn'], ['Right drag, Shift + drag', 'Move sideways'], ['Ctrl + drag', 'Roll'], ['Wheel', 'Closer, farther'],
+  ['Click, tap', 'Values at this place'], ['Drag, one finger', 'Turn'], ['Right drag, Shift + drag', 'Move sideways'], ['Ctrl + drag', 'Roll'], ['Wheel', 'Closer, farther'],
   ['Two fingers', 'Pinch and move'],
 ];
 
 const AXIS_KEYS = {1: '-y', 2: '+y', 3: '+x', 4: '-x', 5: '+z', 6: '-z'};
 
-/// `actions`: {home, axis(name), play, stats, panel, fullscreen, copyLink, help}
+/// `actions`: {home, axis(name), play, stats, panel, fullscreen, copyLink, help, tell}
 export function watchKeys(stage, model, actions) {
   const byKey = {0: actions.home, Home: actions.home, ' ': actions.play, s: actions.stats, p: actions.panel,
-                 f: actions.fullscreen, c: actions.copyLink, '?': actions.help};
+                 f: actions.fullscreen, c: actions.copyLink, '?': actions.help, Enter: actions.tell};
 
   function moved(camera, {key, shiftKey}) {
     if (key in ARROWS) {

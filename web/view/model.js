@@ -3,6 +3,7 @@
 import {fitDistance, verticalOf} from './camera.js';
 import {Emitter} from '../page/emitter.js';
 import {effectiveOptions} from './options.js';
+import {overlaysText, readOverlays} from './overlays.js';
 import {specsOf, surfacesOf} from './surface_spec.js';
 import {add, length, scale, sub} from './vec3.js';
 import {bodyOf, isInSight, keptOutside, lensOf} from './zoom.js';
@@ -24,8 +25,8 @@ function isNear(a, b) {
 /// of 255 also where colours are bent most (docs/decisions/0034-flow-loop.md).
 export const FLOW_PICTURES = 8;
 
-/// Events: `scene` (message) when one is loaded; `camera` (isMoving); `options` (isMoving); `warnings`. isMoving: more may
-/// follow.
+/// Events: `scene` (message) when one is loaded; `camera` (isMoving); `options` (isMoving); `through`; `warnings`.
+/// isMoving: more may follow.
 export class Model extends Emitter {
   scene = null;        // The Scene message.
   camera = null;       // {position, focal, up, fov}; null before the first Scene.
@@ -37,6 +38,7 @@ export class Model extends Emitter {
   screenTextScale = 1;    // What text has to be larger by on this screen: see stage.js.
   pageBackground = null;  // RRGGBB where the scene leaves the background to the page.
   isExactAtRest = false;
+  through = null;      // The place [x, y, z] whose streamline is drawn, or null.
   flowStep = 0;        // Which picture of the cycle is wanted, where streaks flow.
   rangeFor = '';       // The array that changed.shading.colorRange was chosen for.
   pictureWarnings = [];  // Lines about the newest own picture at rest.
@@ -80,6 +82,7 @@ export class Model extends Emitter {
     const shading = {...this.changed.shading}, background = this.background;
     if (background !== this.#sceneBackground()) shading.background = background;
     if (this.screenTextScale !== 1) shading.textScale = this.#textScaleHere();
+    if (this.through) shading.overlay = overlaysText({...readOverlays(this.options.shading.overlay), through: this.through});
     const isExact = !isMoving && this.isExactAtRest && this.options.lic.method === 'hierarchical';
     return {camera: this.camera, lic: {...this.changed.lic, ...(isExact ? {method: 'direct'} : {}), ...this.#flowOf(isMoving)}, shading};
   }
@@ -106,6 +109,7 @@ export class Model extends Emitter {
   setScene(message) {
     const before = this.scene;
     this.scene = message;
+    this.through = null;  // The flow there is another one.
     const {bounds} = message;
     this.allBounds = this.allBounds && isNear(this.allBounds, bounds)
       ? [0, 1].map((end) => bounds[end].map((x, i) => [Math.min, Math.max][end](x, this.allBounds[end][i]))) : bounds;
@@ -218,6 +222,13 @@ export class Model extends Emitter {
     if (warnings.join('\n') === this.pictureWarnings.join('\n')) return;
     this.pictureWarnings = warnings;
     this.emit('warnings');
+  }
+
+  /// The streamline through a place is drawn; null: none.
+  setThrough(place) {
+    if (place === this.through) return;
+    this.through = place;
+    this.emit('through');
   }
 
   setExactAtRest(isOn) {

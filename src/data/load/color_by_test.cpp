@@ -33,7 +33,7 @@ TEST(ColorBy, LengthOfTheFieldsVectorsNeedsNoScalarField)
     const TempFolder folder;
     writeGridFile(folder.file("a.vti"));
     const Scene scene = loadScene(describe("slice:0,0,1:0,0,1", folder.file("a.vti"), "U:mag"));
-    EXPECT_TRUE(scene.colorByFieldMagnitude);
+    EXPECT_EQ(scene.ofVectors, ArrayPart::length);
     EXPECT_FALSE(scene.scalarField);
     EXPECT_EQ(scene.scalarName, "|U|");
     EXPECT_NEAR(scene.scalarRange[1], std::sqrt(4 + 6.25 + 0), 0.01);
@@ -97,7 +97,7 @@ TEST_F(ColorBySource, WhatHasTheVectorsComesFirst)
     EXPECT_TRUE(both.scalarField);
     EXPECT_TRUE(both.surface.pointScalars.empty());
     EXPECT_GT(both.scalarRange[1], 20);
-    EXPECT_TRUE(load("U:mag").colorByFieldMagnitude);
+    EXPECT_EQ(load("U:mag").ofVectors, ArrayPart::length);
     EXPECT_EQ(load("p", false).scalarRange, (std::array<double, 2>{7, 7}));
 }
 
@@ -109,7 +109,7 @@ TEST_F(ColorBySource, ThePrefixChooses)
     EXPECT_EQ(own.scalarName, "p");
     EXPECT_EQ(load("surface:U:mag").scalarRange, (std::array<double, 2>{5, 5}));
     EXPECT_TRUE(load("field:p").scalarField);
-    EXPECT_TRUE(load("field:U:mag").colorByFieldMagnitude);
+    EXPECT_EQ(load("field:U:mag").ofVectors, ArrayPart::length);
     EXPECT_EQ(load("surface:p", false).scalarRange, (std::array<double, 2>{7, 7}));
 }
 
@@ -126,7 +126,7 @@ TEST_F(ColorBySource, TheOtherIsTakenWhereTheFirstHasNone)
     EXPECT_EQ(own.scalarRange, (std::array<double, 2>{0, 2}));
     EXPECT_THROW(loadScene(describe(folder.file("s.vtp"), folder.file("a.vti"), "field:q")), InputError);
     EXPECT_THROW(loadScene(describe(folder.file("s.vtp"), "abc", "surface:abc:mag")), InputError);
-    EXPECT_TRUE(loadScene(describe(folder.file("s.vtp"), "abc", "field:abc:mag")).colorByFieldMagnitude);
+    EXPECT_EQ(loadScene(describe(folder.file("s.vtp"), "abc", "field:abc:mag")).ofVectors, ArrayPart::length);
     EXPECT_EQ(loadScene(describe(folder.file("s.vtp"), "abc", "q")).scalarRange, (std::array<double, 2>{0, 2}));
 }
 

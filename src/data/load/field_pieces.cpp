@@ -23,8 +23,9 @@ FieldFacts unitedFacts(const Grids& own, Agreement& agreement)
         const GridFile& first = *own.front();
         FieldFacts facts;
         facts.hasScalar = first.hasScalar();
-        facts.scalarIsLength = first.scalarIsVectorLength();
+        facts.ofVectors = first.partOfVectors();
         facts.scalarName = first.scalarLabel();
+        facts.vectorsName = first.vectorsName();
         facts.arrays = first.arrays();
         facts.offered = first.offered();
         facts.timeSteps = first.timeSteps();
@@ -146,7 +147,7 @@ FieldStep StepReader::unitePieces(const FieldStep& read, Agreement& agreement) c
     FieldStep step;
     static_cast<FieldFacts&>(step) = unitedFacts(own, agreement);
     step.name = read.name;
-    if (colorsAreShear()) step.scalarName = shearLabel();
+    nameShear(step);
     const auto isEmpty = [](const auto& piece) { return piece->empty(); };
     const bool empty = agreement.all(std::all_of(own.begin(), own.end(), isEmpty));
     agreement.together([&] {

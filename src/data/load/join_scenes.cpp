@@ -47,9 +47,32 @@ void takeField(const SurfacePart& part, Scene& joined)
 {
     if (!part.scene.field) return;
     joined.field = part.scene.field;
-    if (!part.samplesScalar()) return;
-    joined.scalarField = part.scene.scalarField;
-    joined.colorByFieldMagnitude = part.scene.colorByFieldMagnitude;
+    if (part.samplesScalar()) joined.scalarField = part.scene.scalarField;
+}
+
+/// What of the vectors is coloured by is the same for all surfaces: each pixel has its vector alone.
+void takePartOfVectors(const SurfacePart& part, Scene& joined)
+{
+    const ArrayPart of = part.scene.ofVectors;
+    if (!part.scene.hasScalar || of == ArrayPart::whole) return;
+    if (joined.ofVectors != ArrayPart::whole && joined.ofVectors != of)
+        throw InputError("surfaces",
+                         "found '" + std::string(suffixOf(joined.ofVectors)) + "' and '" + std::string(suffixOf(of)) +
+                             "' to colour by",
+                         "the same part of the vectors for all surfaces");
+    joined.ofVectors = of;
+}
+
+/// The vectors' name, where all streaks follow arrays of one name.
+std::string vectorsNameOf(const SurfaceParts& parts)
+{
+    std::optional<std::string> name;
+    for (const auto& part : parts) {
+        if (!part->source().item.streaks) continue;
+        if (name && *name != part->scene.vectorsName) return "";
+        name = part->scene.vectorsName;
+    }
+    return name.value_or("");
 }
 
 /// Which surfaces carry what others are sampled for.
@@ -57,8 +80,11 @@ void markOwnValues(const SurfaceParts& parts, Scene& joined)
 {
     for (const auto& part : parts) {
         SceneSurface& surface = joined.surfaces[part->index()];
-        surface.ownVectors = joined.field && surface.streaks && !part->samplesVectors();
-        surface.ownScalar = joined.scalarFromField() && part->scene.hasScalar && !part->samplesScalar();
+        const bool byNormal = needsNormal(part->scene.ofVectors);
+        const bool sampled = joined.field || needsNormal(joined.ofVectors);  // Not all carry what is drawn.
+        surface.ownVectors = sampled && surface.streaks && !part->samplesVectors();
+        surface.ownScalar = (joined.scalarFromField() || needsNormal(joined.ofVectors)) && part->scene.hasScalar &&
+                            !part->samplesScalar() && !byNormal;
     }
 }
 
@@ -79,7 +105,14 @@ Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description
         addNew(joined.surfaceArrays, own.surfaceArrays);
         addNew(joined.fieldArrays, own.fieldArrays);
         takeField(*part, joined);
+        takePartOfVectors(*part, joined);
     }
+    if (needsNormal(joined.ofVectors) && joined.scalarField)
+        throw InputError("surfaces",
+                         "found '" + joined.scalarField->name + "' of the field and '" +
+                             std::string(suffixOf(joined.ofVectors)) + "' of vectors to colour by",
+                         "one of them for all surfaces, or arrays of the surfaces' own");
+    joined.vectorsName = vectorsNameOf(parts);
     markOwnValues(parts, joined);
     if (joined.colors.size() > SceneColors::kMost)
         throw InputError("surfaces", fmt::format("found {} kinds of colours", joined.colors.size()),
@@ -94,7 +127,7 @@ Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description
 
 PartRanges rangesOf(const Scene& part)
 {
-    return {part.scalarRange, part.robustRange, part.scalarRangeKnown, part.maxVector};
+    return {part.scalarRange, part.robustRange, part.scalarRangeKnown, part.maxVector, part.maxTangential};
 }
 
 void uniteRanges(const std::vector<PartRanges>& ranges, Scene& joined)
@@ -110,9 +143,11 @@ void uniteRanges(const std::vector<PartRanges>& ranges, Scene& joined)
         }
         return shown.empty() ? all : shown;
     };
-    joined.maxVector = 0;
-    for (const PartRanges* own : counted([](const SceneSurface& surface) { return surface.streaks; }))
+    joined.maxVector = joined.maxTangential = 0;
+    for (const PartRanges* own : counted([](const SceneSurface& surface) { return surface.streaks; })) {
         joined.maxVector = std::max(joined.maxVector, own->longestVector);
+        joined.maxTangential = std::max(joined.maxTangential, own->longestTangential);
+    }
     const SceneColors* told = nullptr;
     for (std::size_t c = 0; c < joined.colors.size(); ++c) {
         SceneColors& colors = joined.colors[c];

@@ -20,7 +20,7 @@ Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description
 struct PartRanges {
     std::array<double, 2> scalar{0, 1}, robust{0, 1};  ///< All values, and Scene::robustRange.
     bool scalarKnown = false;
-    double longestVector = 0;
+    double longestVector = 0, longestTangential = 0;
 };
 PartRanges rangesOf(const Scene& part);
 

@@ -266,9 +266,9 @@ FieldStep StepReader::builtinField(double time) const
     step.arrays = step.vectors->name + ":mag";
     step.offered = {{step.vectors->name, 3}};
     step.hasScalar = !fieldColors().empty();
-    step.scalarIsLength = asked == ArrayPart::length;
-    step.scalarName =
-        step.scalarIsLength ? "|" + step.vectors->name + "|" : step.vectors->name + std::string(suffixOf(asked));
+    if (asked == ArrayPart::length || needsNormal(asked)) step.ofVectors = asked;
+    step.vectorsName = step.vectors->name;
+    step.scalarName = labelOf(step.vectorsName, asked);
     return step;
 }
 
@@ -336,6 +336,20 @@ void StepReader::requireColors(const FieldStep& step) const
     }
 }
 
+void StepReader::nameShear(FieldFacts& facts) const
+{
+    if (!fieldVectors.shear) return;
+    if (needsNormal(facts.ofVectors) && !colorsAreShear())
+        throw InputError(
+            facts.name,
+            "'" + facts.scalarName + "' to colour by, but streaks that follow '" + description.field.vectors + "'",
+            "'" + labelOf(description.field.vectors, facts.ofVectors) + "', of the vectors that the streaks follow");
+    facts.vectorsName = description.field.vectors;
+    if (!colorsAreShear()) return;
+    facts.scalarName = labelOf(facts.vectorsName, shearColors());
+    if (needsNormal(shearColors())) facts.ofVectors = shearColors();
+}
+
 void StepReader::requireNoShear(std::size_t index) const
 {
     if (fieldVectors.shear && asks[index].fieldVectors)
@@ -352,8 +366,10 @@ FieldStep StepReader::fieldStep(GridFile& grid, const std::string& path, const P
     step.offered = grid.offered();
     step.timeSteps = grid.timeSteps();
     step.hasScalar = grid.hasScalar();
-    step.scalarIsLength = grid.scalarIsVectorLength();
-    step.scalarName = colorsAreShear() ? shearLabel() : grid.scalarLabel();
+    step.ofVectors = grid.partOfVectors();
+    step.scalarName = grid.scalarLabel();
+    step.vectorsName = grid.vectorsName();
+    nameShear(step);
     requireColors(step);
 
     const bool ownCells = !grid.uniform() && !description.field.resampleSpacing;

@@ -46,12 +46,8 @@ struct StepReader {
         return areShear ? asked : ArrayPart::whole;
     }
     bool colorsAreShear() const { return shearColors() != ArrayPart::whole; }
-    /// What the legend calls them.
-    std::string shearLabel() const
-    {
-        const std::string& shear = description.field.vectors;
-        return shearColors() == ArrayPart::length ? "|" + shear + "|" : shear + std::string(suffixOf(shearColors()));
-    }
+    /// The facts of a field whose vectors' wall shear is drawn are those of the shear.
+    void nameShear(FieldFacts& facts) const;
 
     /// The `index`-th surface, which is no cut, to be finished; where it is split, this part's pieces, to be placed.
     LoadedSurface surface(std::size_t index, double key, const ProgressReport& progress) const;

@@ -41,11 +41,20 @@ void measure(Scene& scene)
     const SurfaceMesh& mesh = scene.surface;
     scene.maxVector =
         scene.field ? scene.field->maxMagnitude : std::max(longest(mesh.pointVectors), longest(mesh.cellVectors));
+    scene.maxTangential = 0;
+    if (scene.maxVector > 0)
+        if (const auto along = scene.field ? rangeOnSurface(mesh, *scene.field, ArrayPart::tangential)
+                                           : rangeOfVectors(mesh, ArrayPart::tangential))
+            scene.maxTangential = (*along)[1];
     if (!scene.hasScalar) return;
-    const auto range = scene.colorByFieldMagnitude ? rangeOnSurface(mesh, *scene.field)
-                       : scene.scalarField
-                           ? rangeOnSurface(mesh, *scene.scalarField)
-                           : finiteRange(mesh.pointScalars.empty() ? mesh.cellScalars : mesh.pointScalars);
+    const auto valuesOf = [&] {
+        if (scene.scalarField) return rangeOnSurface(mesh, *scene.scalarField);
+        if (scene.ofVectors == ArrayPart::whole)
+            return finiteRange(mesh.pointScalars.empty() ? mesh.cellScalars : mesh.pointScalars);
+        return scene.field ? rangeOnSurface(mesh, *scene.field, scene.ofVectors)
+                           : rangeOfVectors(mesh, scene.ofVectors);
+    };
+    const auto range = valuesOf();
     scene.scalarRangeKnown = range.has_value();
     if (range) scene.scalarRange = *range;
 }
@@ -133,6 +142,7 @@ std::vector<Tally> sumTallies(Agreement& agreement, const std::vector<Tally>& mi
 void uniteRanges(Agreement& agreement, Scene& scene)
 {
     scene.maxVector = agreement.greatest(scene.maxVector);
+    scene.maxTangential = agreement.greatest(scene.maxTangential);
     const std::array<double, 2> range = uniteRange(agreement, scene.scalarRange, scene.scalarRangeKnown);
     scene.scalarRangeKnown = range[0] <= range[1];
     if (scene.scalarRangeKnown) scene.scalarRange = range;

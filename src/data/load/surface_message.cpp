@@ -37,6 +37,8 @@ void forEachField(Surface& surface, const Visit& visit)
     visit(surface.cutOut);
     visit(surface.cutRange);
     visit(surface.scalarLabel);
+    visit(surface.ofVectors);
+    visit(surface.vectorsName);
     visit(surface.arrays);
     visit(surface.timeSteps);
     visit(surface.warnings);
@@ -272,7 +274,11 @@ LoadedSurface appendPieces(std::vector<LoadedSurface> pieces, bool welds)
             if (std::find(all.warnings.begin(), all.warnings.end(), warning) == all.warnings.end())
                 all.warnings.push_back(warning);
         if (all.mesh.name.empty()) all.mesh.name = piece.mesh.name;
-        if (all.scalarLabel.empty()) all.scalarLabel = piece.scalarLabel;
+        if (all.scalarLabel.empty()) {
+            all.scalarLabel = piece.scalarLabel;
+            all.ofVectors = piece.ofVectors;
+        }
+        if (all.vectorsName.empty()) all.vectorsName = piece.vectorsName;
         if (all.arrays.empty()) all.arrays = piece.arrays;
         if (all.offered.empty()) all.offered = piece.offered;
         piece = {};

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "aeolic/error.h"
-#include "data/cells_to_points.h"
 #include "data/load/series/interpolate.h"
 #include "data/load/surface_part.h"
 
@@ -149,8 +148,7 @@ LoadedSurface SurfacePart::surfaceAt(const Moment& moment, bool meet)
                                                 isCut() ? "cut into different meshes" : "different meshes"));
     if (!between) between = *first;
     LoadedSurface& surface = *between;
-    finishSurface(surface, context_.description.surface.featureAngle);
-    if (context_.description.surface.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
+    finishShape(surface);
     setOrigin(surface.mesh, originWorld_);
     return std::move(surface);
 }

@@ -74,8 +74,7 @@ void SurfacePart::takeSurface(LoadedSurface&& surface)
 {
     const SurfaceSpec& spec = source().spec;
     const SurfaceSource& options = context_.description.surface;
-    finishSurface(surface, options.featureAngle);
-    if (options.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
+    finishShape(surface);
     scene.surface = std::move(surface.mesh);
     scene.boundsWorld = spec.kind == SurfaceSpec::Kind::builtin ? builtinSurfaceBounds(spec.text, scene.surface)
                                                                 : scene.surface.bounds();
@@ -84,12 +83,31 @@ void SurfacePart::takeSurface(LoadedSurface&& surface)
     scene.frontFacesOnly = options.faces == Faces::front;
     scene.hasScalar = !surface.scalarLabel.empty();
     scene.scalarName = surface.scalarLabel;
+    scene.ofVectors = surface.ofVectors;
+    scene.vectorsName = surface.vectorsName;
     scene.surfaceArrays = std::move(surface.offered);
     originWorld_ = scene.surface.originWorld;
     tallies_ = surface.tallies;
     ownWarnings_ = surface.warnings;
     append(scene.warnings, ownWarnings_);
     append(scene.tallies, tallies_);
+}
+
+/// Where the vectors' part along the normal is drawn, that of a slice is its own, whichever way its cells lie, and that
+/// of an isosurface leads to higher values. VTK winds triangles the other way.
+void SurfacePart::finishShape(LoadedSurface& surface) const
+{
+    const SurfaceSource& options = context_.description.surface;
+    const bool isWound = surface.mesh.normals.empty();
+    finishSurface(surface, options.featureAngle);
+    if (options.cells == CellValues::smooth) bringCellsToPoints(surface.mesh);
+    if (!needsNormal(parseArray(ask().colorBy.name).part)) return;
+    const SurfaceSpec& spec = source().spec;
+    const glm::vec3 plane(vectorOf(spec.normal));
+    for (glm::vec3& normal : surface.mesh.normals) {
+        const bool isBehind = spec.kind == SurfaceSpec::Kind::slice && glm::dot(normal, plane) < 0;
+        if (isBehind || (spec.kind == SurfaceSpec::Kind::isosurface && isWound)) normal = -normal;
+    }
 }
 
 void SurfacePart::takeFirstField(const FieldStep& step)
@@ -103,10 +121,14 @@ void SurfacePart::takeFirstField(const FieldStep& step)
     scalarOfField_ = !scene.hasScalar && ask().colorsFromField;
     scene.fieldArrays = step.offered;
     if (usesField()) scene.field = step.vectors;
+    if (ask().fieldVectors) scene.vectorsName = step.vectorsName;
     if (!scalarOfField_) return;
+    if (needsNormal(step.ofVectors) && !ask().fieldVectors)
+        throw InputError(source().spec.text, "'" + step.scalarName + "' to colour by, but no streaks that follow it",
+                         "the vectors that the surface's streaks follow");
     scene.hasScalar = true;
     scene.scalarName = step.scalarName;
-    scene.colorByFieldMagnitude = step.scalarIsLength;
+    scene.ofVectors = step.ofVectors;
     scene.scalarField = step.scalar;
 }
 
@@ -121,6 +143,10 @@ void SurfacePart::unite()
     if (scene.inPieces) {
         uniteBounds(agreement_, scene.boundsWorld);
         scene.allTriangles = std::uint64_t(agreement_.sum(std::int64_t(scene.allTriangles)));
+        // A rank without a triangle may not know it.
+        const std::string& own = scene.vectorsName;
+        const auto names = agreement_.distinct(own.empty() ? std::vector<std::string>{} : std::vector{own});
+        if (names.size() == 1) scene.vectorsName = names.front();
     }
     scene.reach = reachOf(agreement_, scene);
     scene.fitRadius = scene.reach.radius;
@@ -200,7 +226,8 @@ void SurfacePart::beginWarnings(const std::vector<Tally>& ofField)
     std::erase_if(scene.warnings, [&](const std::string& warning) {
         return std::find(told_.begin(), told_.end(), warning) != told_.end();
     });
-    aside_ = {scene.maxVector, scene.scalarRange, scene.robustRange, scene.scalarRangeKnown, std::move(scene.warnings)};
+    aside_ = {scene.maxVector,   scene.maxTangential,    scene.scalarRange,
+              scene.robustRange, scene.scalarRangeKnown, std::move(scene.warnings)};
     scene.warnings = ownWarnings_;
     scene.tallies = tallies_;
     append(scene.tallies, ofField);
@@ -210,6 +237,7 @@ void SurfacePart::endWarnings()
 {
     finish();
     scene.maxVector = aside_.maxVector;
+    scene.maxTangential = aside_.maxTangential;
     scene.scalarRange = aside_.scalarRange;
     scene.robustRange = aside_.robustRange;
     scene.scalarRangeKnown = aside_.scalarRangeKnown;

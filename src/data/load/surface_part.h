@@ -87,6 +87,7 @@ public:
 private:
     bool isCut() const { return source().spec.isCut(); }
     const Around& aroundOf(const Moment& moment) const { return isCut() ? moment.field : moment.surfaces[index_]; }
+    void finishShape(LoadedSurface& surface) const;
     void takeSurface(LoadedSurface&& surface);
     void placePiece(LoadedSurface& piece, const PieceFacts& ofAll) const;
     void requireTriangles(std::vector<CutFacts> mine, std::uint64_t drawn);
@@ -99,7 +100,7 @@ private:
 
     /// What measuring changes of a scene, and warnings of other things than its data.
     struct Aside {
-        double maxVector = 0;
+        double maxVector = 0, maxTangential = 0;
         std::array<double, 2> scalarRange{}, robustRange{};
         bool scalarRangeKnown = false;
         std::vector<std::string> warnings;

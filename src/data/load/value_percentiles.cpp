@@ -41,6 +41,14 @@ void forEachShare(const Scene& scene, const GridField* field, std::size_t triang
         if (std::isfinite(value)) take(value, share);
     };
     const std::array<std::uint32_t, 3>& corners = mesh.triangles[triangle];
+    const ArrayPart part = scene.ofVectors;
+    if (!field && part != ArrayPart::whole) {
+        for (const std::uint32_t corner : corners) {
+            const glm::vec3& vector = mesh.cellVectors.empty() ? mesh.pointVectors[corner] : mesh.cellVectors[triangle];
+            give(float(valueOf(part, glm::dvec3(vector), glm::dvec3(mesh.normals[corner]))), area / 3);
+        }
+        return;
+    }
     if (!field) {
         if (!mesh.cellScalars.empty()) return give(mesh.cellScalars[triangle], area);
         for (const std::uint32_t corner : corners) give(mesh.pointScalars[corner], area / 3);
@@ -55,7 +63,8 @@ void forEachShare(const Scene& scene, const GridField* field, std::size_t triang
     const auto look = [&](double u, double v) {
         const FieldVector found = vectorAt(*field, a + (u / n) * ab + (v / n) * ac);
         if (!found.inside || found.elsewhere) return;
-        give(float(field->components == 1 ? found.vector.x : glm::length(found.vector)), area / n / n);
+        const glm::dvec3 normal = needsNormal(part) ? normalAt(mesh, triangle, u / n, v / n) : glm::dvec3(0);
+        give(float(field->components == 1 ? found.vector.x : valueOf(part, found.vector, normal)), area / n / n);
     };
     for (int u = 0; u < n; ++u)
         for (int v = 0; u + v < n; ++v) {
@@ -95,7 +104,7 @@ void fillBins(const Scene& scene, const GridField* field, int shift, std::array<
 
 std::optional<std::array<double, 2>> robustRangeOf(const Scene& scene, Agreement* shared)
 {
-    const GridField* field = scene.colorByFieldMagnitude ? scene.field.get() : scene.scalarField.get();
+    const GridField* field = scene.ofVectors != ArrayPart::whole ? scene.field.get() : scene.scalarField.get();
     std::array<Percentile, 2> ends;
     std::int64_t all = 0;
     const auto findBin = [](Percentile& end, std::int64_t wanted) {

@@ -58,6 +58,8 @@ public:
     /// flow. So nothing is too large or too small for floats.
     double unitWorld() const;
 
+    const StreamlineSurface& surface() const { return *surface_; }
+
     /// In that unit. Level 0 has the spacing of a sixth of the surface's size, or the next to that.
     double spacing(int level) const;
     int levels() const { return levels_; }

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <mutex>
 #include <utility>
 
 #include "base/bounds.h"
 #include "base/mixed_bits.h"
+#include "base/parallel.h"
+#include "data/mesh/nearest_in_triangle.h"
 
 namespace aeolic {
 namespace {
@@ -70,6 +74,42 @@ bool StreamlineSurface::hasFlow(std::uint32_t triangle) const
 glm::vec3 StreamlineSurface::normal(std::uint32_t triangle) const
 {
     return glm::normalize(areaVector(mesh_, triangle));
+}
+
+SurfacePlace StreamlineSurface::nearest(const glm::dvec3& pointWorld) const
+{
+    constexpr std::size_t grain = 4096;
+    const glm::dvec3 point = pointWorld - mesh_.originWorld;
+    const auto weightsIn = [&](std::size_t t) {
+        const auto& [a, b, c] = mesh_.triangles[t];
+        return nearestInTriangle(point, glm::dvec3(mesh_.positions[a]), glm::dvec3(mesh_.positions[b]),
+                                 glm::dvec3(mesh_.positions[c]));
+    };
+    std::pair<double, std::size_t> nearest{std::numeric_limits<double>::infinity(), 0};
+    std::mutex guard;
+    parallelRanges(mesh_.triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+        std::pair<double, std::size_t> own{std::numeric_limits<double>::infinity(), begin};
+        for (std::size_t t = begin; t < end; ++t) {
+            const SurfacePlace place{std::uint32_t(t), weightsIn(t)};
+            own = std::min(own, {glm::length(positionWorld(mesh_, place) - pointWorld), t});
+        }
+        const std::scoped_lock lock(guard);
+        nearest = std::min(nearest, own);
+    });
+    return {std::uint32_t(nearest.second), weightsIn(nearest.second)};
+}
+
+std::array<std::vector<glm::vec3>, 2> StreamlineSurface::through(const SurfacePlace& place) const
+{
+    std::array<std::vector<glm::vec3>, 2> parts;
+    if (!hasFlow(place.triangle)) return parts;
+    for (const int direction : {-1, 1}) {
+        std::vector<glm::vec3>& part = parts[direction < 0 ? 0 : 1];
+        for (const SurfacePlace& each : along_.trace(place, direction, 4 * size_ * unitWorld_).places)
+            part.push_back(at(each));
+    }
+    std::reverse(parts[0].begin(), parts[0].end());
+    return parts;
 }
 
 SurfacePlace StreamlineSurface::spread(std::size_t which, std::size_t count) const

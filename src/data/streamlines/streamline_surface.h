@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -31,6 +32,14 @@ public:
     double area() const { return areas_.empty() ? 0 : areas_.back(); }  ///< Of all that has flow.
     double size() const { return size_; }                               ///< The diagonal of its box.
     double unitWorld() const { return unitWorld_; }                     ///< A power of two.
+
+    /// The place that is nearest to a point, of those nearest the one in the first triangle. There is a triangle.
+    /// Cost: O(triangles), parallel (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
+    SurfacePlace nearest(const glm::dvec3& pointWorld) const;
+
+    /// The streamline through a place, downstream, in two parts: what comes to it, and what leaves it; at(). Empty
+    /// where nothing flows. No part is longer than four times the surface's size.
+    std::array<std::vector<glm::vec3>, 2> through(const SurfacePlace& place) const;
 
     /// The `which`-th of `count` places that are spread evenly over the area, in the order of the triangles.
     SurfacePlace spread(std::size_t which, std::size_t count) const;

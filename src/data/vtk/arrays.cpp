@@ -234,11 +234,28 @@ std::optional<ScalarChoice> findScalar(const std::vector<ArrayInfo>& arrays, con
     if (part == ArrayPart::whole) return std::nullopt;
     const ArrayInfo* array = findNamed(arrays, spec.substr(0, spec.size() - suffixOf(part).size()));
     if (!array) return std::nullopt;
-    if (const auto component = componentOf(part);
-        component && (array->components < 2 || array->components > 3 || *component >= array->components))
+    const auto component = componentOf(part);
+    const bool ofVectors = component || needsNormal(part);
+    if (ofVectors && (array->components < 2 || array->components > 3 || component.value_or(0) >= array->components))
         throw InputError(where, fmt::format("array '{}' has {}", array->name, componentText(array->components)),
                          fmt::format("vectors, for '{}'", spec));
     return ScalarChoice{*array, part};
+}
+
+bool sameArray(const ArrayInfo& a, const ArrayInfo& b)
+{
+    return a.name == b.name && a.onPoints == b.onPoints;
+}
+
+void requireOfVectors(const ScalarChoice& scalar, const ArrayInfo* vectors, const std::string& where)
+{
+    if (!needsNormal(scalar.part) || (vectors && sameArray(scalar.array, *vectors))) return;
+    throw InputError(where,
+                     vectors
+                         ? fmt::format("'{}' to colour by, but streaks that follow '{}'", scalar.label(), vectors->name)
+                         : fmt::format("'{}' to colour by, but no streaks that follow it", scalar.label()),
+                     vectors ? "'" + labelOf(vectors->name, scalar.part) + "', of the vectors that the streaks follow"
+                             : "the vectors that the streaks follow");
 }
 
 bool isMaskName(const std::string& name)

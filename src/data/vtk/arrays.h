@@ -52,22 +52,25 @@ const ArrayInfo& chooseVectors(const std::vector<ArrayInfo>& arrays, const std::
 struct ScalarChoice {
     ArrayInfo array;
     ArrayPart part = ArrayPart::whole;
-    std::string label() const
-    {
-        return part == ArrayPart::length ? "|" + array.name + "|" : array.name + std::string(suffixOf(part));
-    }
+    std::string label() const { return labelOf(array.name, part); }
 };
 
 /// Nothing where no array has that name. Throws InputError if it has several components and no part of it is named.
 std::optional<ScalarChoice> findScalar(const std::vector<ArrayInfo>& arrays, const std::string& spec,
                                        const std::string& where);
 
+bool sameArray(const ArrayInfo& a, const ArrayInfo& b);
+
+/// Throws InputError where a part that needs the surface's normal is asked of an array that is not the vectors that
+/// streaks follow. `vectors`: those; null: there are none here.
+void requireOfVectors(const ScalarChoice& scalar, const ArrayInfo* vectors, const std::string& where);
+
 /// Arrays that say which points or cells do not count, in the same data set: they are read along with what they mask.
 bool isMaskName(const std::string& name);
 
 vtkDataArray* findArray(vtkDataSet& data, const std::string& name, bool onPoints);
 vtkSmartPointer<vtkFloatArray> toFloats(vtkDataArray* array);  ///< The array itself where it holds floats already.
-/// One value for each tuple: the length, or a component. Parallel. `part`: not the whole.
+/// One value for each tuple: the length, or a component. Parallel. `part`: one of these.
 vtkSmartPointer<vtkFloatArray> partOf(vtkFloatArray& vectors, ArrayPart part);
 
 struct MaskResult {

@@ -96,7 +96,8 @@ TEST_P(ProjectionConformance, GridFieldOnTheBuiltinSurfaces)
     for (const char* surface : {"teapot:2000", "sphere:2000", "torus:2000"}) {
         SCOPED_TRACE(surface);
         Scene scene = makeBuiltinScene(surface, "abc:24,24,24");
-        scene.hasScalar = scene.colorByFieldMagnitude = true;
+        scene.hasScalar = true;
+        scene.ofVectors = ArrayPart::length;
         const Camera camera = fitCamera(scene, {}, 120, 90);
         expectAgreement(GetParam(), std::move(scene), camera, 2e-3);
     }
@@ -127,11 +128,33 @@ TEST_P(ProjectionConformance, NoiseThatFadesWithTheVectors)
     });
 }
 
+TEST_P(ProjectionConformance, PartsOfTheVectorsByTheNormal)
+{
+    forEachSimdTarget([&] {
+        for (const ArrayPart part : {ArrayPart::normal, ArrayPart::tangential})
+            for (const char* carries : {"field", "points", "triangles"}) {
+                SCOPED_TRACE(std::string(suffixOf(part)) + " of " + carries);
+                Scene scene = makeBuiltinScene("torus:800", "abc:24,24,24");
+                scene.hasScalar = true;
+                scene.ofVectors = part;
+                SurfaceMesh& mesh = scene.surface;
+                if (carries != std::string("field")) scene.field = nullptr;
+                if (carries == std::string("points"))
+                    for (const glm::vec3& p : mesh.positions) mesh.pointVectors.push_back(swirl(glm::dvec3(p)));
+                if (carries == std::string("triangles"))
+                    for (const auto& t : mesh.triangles)
+                        mesh.cellVectors.push_back(swirl(glm::dvec3(mesh.positions[t[0]])));
+                const Camera camera = fitCamera(scene, {}, 120, 90);
+                expectAgreement(GetParam(), std::move(scene), camera, 2e-3);
+            }
+    });
+}
+
 /// A torus in a field, and a ball in its middle that carries vectors, scalar, or both.
 TEST_P(ProjectionConformance, SurfacesWithTheirOwnBesideThoseInAField)
 {
-    for (const int own : {1, 2, 3}) {
-        SCOPED_TRACE(own);
+    const auto draw = [&](int own, ArrayPart part) {
+        SCOPED_TRACE(std::to_string(own) + std::string(suffixOf(part)));
         Scene scene = makeBuiltinScene("torus:800", "abc:24,24,24");
         SurfaceMesh ball = makeBuiltinScene("sphere:800", "abc:2,2,2").surface;
         for (glm::vec3& p : ball.positions) p *= 0.3f;
@@ -142,17 +165,21 @@ TEST_P(ProjectionConformance, SurfacesWithTheirOwnBesideThoseInAField)
         scene.surface = joinMeshes({&scene.surface, &ball}, scene.surface.originWorld);
         scene.surfaces = {{"torus", true, 0}, {"ball", true, 0, true, (own & 1) != 0, (own & 2) != 0}};
         scene.colors.resize(1);
-        scene.hasScalar = scene.colorByFieldMagnitude = true;
+        scene.hasScalar = true;
+        scene.ofVectors = part;
         const Camera camera = fitCamera(scene, {}, 120, 90);
         expectAgreement(GetParam(), std::move(scene), camera, 2e-3);
-    }
+    };
+    for (const int own : {1, 2, 3})
+        for (const ArrayPart part : {ArrayPart::length, ArrayPart::normal, ArrayPart::tangential}) draw(own, part);
 }
 
 TEST_P(ProjectionConformance, EverySimdTarget)
 {
     forEachSimdTarget([&] {
         Scene scene = makeBuiltinScene("torus:800", "tornado:17,18,19");
-        scene.hasScalar = scene.colorByFieldMagnitude = true;
+        scene.hasScalar = true;
+        scene.ofVectors = ArrayPart::length;
         const Camera camera = fitCamera(scene, {}, 75, 60);
         expectAgreement(GetParam(), std::move(scene), camera, 2e-3);
     });

@@ -139,7 +139,8 @@ TEST_P(ShadingConformance, BackgroundIsTakenAsGiven)
 Scene maskedScene(const std::string& flow, bool colored)
 {
     Scene scene = makeBuiltinScene("sphere:2000", flow);
-    scene.hasScalar = scene.colorByFieldMagnitude = colored;
+    scene.hasScalar = colored;
+    if (colored) scene.ofVectors = ArrayPart::length;
     scene.scalarRange = {0, scene.maxVector};
     return scene;
 }

@@ -41,7 +41,8 @@ Scene inUnits(Scene scene, double length, double vector)
     for (std::size_t i = 0; i < count; ++i) samples[i] = float(double(scene.field->floats()[i]) * vector);
     field->samples = std::shared_ptr<const void>(samples, samples.get());
     scene.field = std::move(field);
-    scene.colorByFieldMagnitude = scene.hasScalar = true;
+    scene.hasScalar = true;
+    scene.ofVectors = ArrayPart::length;
     return scene;
 }
 
@@ -67,7 +68,7 @@ void expectSame(Stages& one, Stages& other, const LicOptions& lic, double vector
             flowing += a.flow.at(x, y) != 0;
             ASSERT_EQ(a.light.at(x, y), b.light.at(x, y)) << x << ',' << y;
             ASSERT_EQ(a.links.at(x, y), b.links.at(x, y)) << x << ',' << y;
-            const bool colored = one.scene.colorByFieldMagnitude && a.flow.at(x, y) != 0;
+            const bool colored = one.scene.ofVectors == ArrayPart::length && a.flow.at(x, y) != 0;
             if (!colored) continue;
             ASSERT_EQ(float(double(a.scalar.at(x, y)) * vector), b.scalar.at(x, y)) << x << ',' << y;
         }

@@ -15,11 +15,16 @@ public:
         glm::vec3 at{0};
         MarkShape shape = MarkShape::disc;
     };
+    /// An arrow's head, with its tip at `to`.
+    struct Head {
+        glm::vec3 from{0}, to{0};
+    };
     /// What looks alike. Later styles lie over earlier ones.
     struct Style {
         StrokeLook look;
         std::vector<std::vector<glm::vec3>> lines;  ///< [lines][points]
         std::vector<Mark> marks;
+        std::vector<Head> heads = {};
     };
 
     /// Points are world positions beside the surface's originWorld (SurfaceMesh).
@@ -31,5 +36,9 @@ public:
 private:
     std::vector<Style> styles_;
 };
+
+/// Puts heads on a line, `apart` from each other and half of that from its beginning; one at least where the line is as
+/// long.
+void addHeads(const std::vector<glm::vec3>& line, double apart, SurfaceLines::Style& style);
 
 }  // namespace aeolic

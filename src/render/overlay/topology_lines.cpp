@@ -46,4 +46,20 @@ std::vector<SurfaceLines::Style> topologyLines(const SurfaceTopology& topology, 
     return {std::move(from), std::move(to), std::move(neither)};
 }
 
+std::vector<SurfaceLines::Style> openLines(const StreamlineSurface& surface, const std::vector<SeparationLine>& lines)
+{
+    const auto unit = float(surface.unitWorld());
+    const double apart = 0.06 * surface.size() * surface.unitWorld();
+    SurfaceLines::Style from{{.color = kFrom, .casing = kCasing, .markPx = 14}, {}, {}},
+        to{{.color = kTo, .casing = kCasing, .markPx = 14}, {}, {}};
+    for (const SeparationLine& line : lines) {
+        SurfaceLines::Style& style = line.separates ? to : from;
+        std::vector<glm::vec3> points;
+        for (const SurfacePlace& place : line.places) points.push_back(surface.at(place) * unit);
+        addHeads(points, apart, style);
+        style.lines.push_back(std::move(points));
+    }
+    return {std::move(from), std::move(to)};
+}
+
 }  // namespace aeolic

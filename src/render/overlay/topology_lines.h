@@ -1,5 +1,6 @@
 #pragma once
 
+#include "data/streamlines/separation_lines.h"
 #include "data/topology/surface_topology.h"
 #include "render/overlay/surface_lines.h"
 
@@ -10,5 +11,9 @@ namespace aeolic {
 /// saddles are black crosses. Nodes are discs, foci rings with a dot, centres rings. The colours stay apart for the
 /// colour-blind, and in gray print by their lightness.
 std::vector<SurfaceLines::Style> topologyLines(const SurfaceTopology& topology, const SurfaceMesh& mesh);
+
+/// Open lines of separation and attachment in the same colours, with heads that tell which way the flow along them
+/// goes.
+std::vector<SurfaceLines::Style> openLines(const StreamlineSurface& surface, const std::vector<SeparationLine>& lines);
 
 }  // namespace aeolic

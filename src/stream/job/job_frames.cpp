@@ -7,6 +7,7 @@
 #include "cluster/comm/hosts.h"
 #include "cluster/comm/together.h"
 #include "render/backend.h"
+#include "stream/job/scene_report.h"
 #include "stream/job/stripe_sender.h"
 
 namespace aeolic::stream {
@@ -96,6 +97,21 @@ void JobFrames::start(Renderer* renderer, const DrawRequest& request)
         renderer->start({request.scene.camera, false});
         const SceneInfo& info = renderer->info();
         started_.push_back({request, {info.warnings.begin() + std::ptrdiff_t(info.dataWarnings), info.warnings.end()}});
+    });
+}
+
+void JobFrames::probe(Renderer* renderer, const ProbeRequest& request)
+{
+    tryOrTell("pick", request.viewer, [&] {
+        if (!renderer) throw InputError("no scene is loaded");
+        StopWatch watch;
+        const OutputOptions& size = request.scene.output;
+        renderer->setSize(size.width, size.height);
+        const auto place = renderer->pick(request.x, request.y, request.scene.camera);
+        say(MessageType::picked, {{"viewer", request.viewer},
+                                  {"view", request.view},
+                                  {"tookMs", watch.lapMs()},
+                                  {"place", place ? placeReport(*place) : Json()}});
     });
 }
 

@@ -25,6 +25,8 @@ public:
     /// Collective. Finishes the oldest frame that was started, and sends this rank's rows.
     void finish(Renderer& renderer);
     std::size_t started() const { return started_.size(); }
+    /// Collective. Tells what the view of the probe shows at its pixel. Between frames alone.
+    void probe(Renderer* renderer, const ProbeRequest& request);
 
     /// Rank 0's messages to the gateway. Other ranks say nothing.
     void say(MessageType type, const Json& json);

@@ -53,6 +53,8 @@ public:
             if (view.type == MessageType::quit) break;
             if (view.type == MessageType::load) load(parseJson(view.payload));
             if (view.type == MessageType::draw) drawAll(message);
+            if (view.type == MessageType::probe)
+                frames_.probe(renderer_ ? &*renderer_ : nullptr, probeFrom(parseJson(view.payload)));
         }
         link_.close();
     }

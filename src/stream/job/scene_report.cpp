@@ -107,18 +107,22 @@ Json choices(const Renderer& renderer)
     const auto nameOf = [](const ArrayChoice& array) {
         return array.components == 1 ? array.name : array.name + ":mag";
     };
-    const auto addParts = [&](const std::string& prefix, const ArrayChoice& array) {
+    const bool ofField = !description.field.spec.empty();  // What the streaks follow.
+    const auto addParts = [&](const std::string& prefix, const ArrayChoice& array, bool withNormal) {
         addNew(colorBy, prefix + nameOf(array));
         if (array.components != 3) return;
         for (const ArrayPart part : {ArrayPart::x, ArrayPart::y, ArrayPart::z})
             addNew(colorBy, prefix + array.name + std::string(suffixOf(part)));
+        if (!withNormal || array.name != scene.vectorsName) return;
+        for (const ArrayPart part : {ArrayPart::normal, ArrayPart::tangential})
+            addNew(colorBy, prefix + array.name + std::string(suffixOf(part)));
     };
-    for (const ArrayChoice& array : scene.fieldArrays) addParts("", array);
-    const Json ofField = colorBy;
+    for (const ArrayChoice& array : scene.fieldArrays) addParts("", array, ofField);
+    const Json known = colorBy;
     for (const ArrayChoice& array : scene.surfaceArrays) {
-        const bool both = std::find(ofField.begin(), ofField.end(), Json(nameOf(array))) != ofField.end();
+        const bool both = std::find(known.begin(), known.end(), Json(nameOf(array))) != known.end();
         const bool own = ownsArrays(description);
-        if (!both || own) addParts(both ? std::string(ColorBy::kSurfacePrefix) : "", array);
+        if (!both || own) addParts(both ? std::string(ColorBy::kSurfacePrefix) : "", array, !ofField);
     }
     Json surfaces = Json::array({"original"});
     Bounds box;  // Of the field: cuts can be anywhere in it.
@@ -170,6 +174,16 @@ Json colorsOutside(const ColorMap& map)
 }
 
 }  // namespace
+
+Json placeReport(const PickedPlace& place)
+{
+    const auto orNull = [](const auto& some) { return some ? Json(*some) : Json(); };
+    return {{"position", place.position},     {"depth", place.depth},
+            {"normal", place.normal},         {"triangle", place.triangle},
+            {"surface", place.surface},       {"vectorName", place.vectorName},
+            {"vector", orNull(place.vector)}, {"tangential", orNull(place.tangential)},
+            {"scalarName", place.scalarName}, {"scalar", orNull(place.scalar)}};
+}
 
 SceneDescription sceneShown(const Renderer& renderer)
 {

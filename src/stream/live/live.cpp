@@ -179,9 +179,12 @@ void Live::State::handle(const WireMessage& message, Renderer& renderer)
 {
     const MessageView view = parseMessage(*message, Sender::gatewayToRank);
     if (view.type == MessageType::load) load(parseJson(view.payload), renderer);
-    if (view.type != MessageType::draw) return;
+    if (view.type != MessageType::draw && view.type != MessageType::probe) return;
     const OwnOptions own(renderer);
-    frames->start(&renderer, drawFrom(parseJson(view.payload)));
+    if (view.type == MessageType::probe)
+        frames->probe(&renderer, probeFrom(parseJson(view.payload)));
+    else
+        frames->start(&renderer, drawFrom(parseJson(view.payload)));
     if (frames->started() > 0) frames->finish(renderer);
     own.putBack(renderer);
 }

@@ -19,6 +19,7 @@ export function changed(change) {
   return message(0x49, number);
 }
 
+export const picked = (object) => message(0x4a, json(object));
 export const notice = (object) => message(0x47, json(object));
 
 export function frame({frame, viewer, view, width, height, askedWidth, lossless}) {
@@ -48,7 +49,7 @@ export function parseFromViewer(bytes) {
   const [magic, version, type, reserved] = bytes, payload = bytes.subarray(8);
   if (magic !== 0xae || version !== 1 || reserved !== 0) throw new Error('bad header');
   if (bytes.readUInt32LE(4) !== payload.length) throw new Error('bad length');
-  const limit = {1: 4096, 2: 16384, 3: 4, 4: 16384, 5: 4, 6: 0}[type];
+  const limit = {1: 4096, 2: 16384, 3: 4, 4: 16384, 5: 4, 6: 0, 7: 16384}[type];
   if (limit === undefined || payload.length > limit) throw new Error(`bad type ${type} or payload of ${payload.length}`);
   if (type === 3 || type === 5) return {type, number: payload.readUInt32LE(0)};
   if (type === 6) return {type};

@@ -20,7 +20,7 @@ export const OPTIONS = {
             colorScale: {...name('linear', 'linear', 'log'), pattern: '^bands:([2-9]|1[0-6])$'}, nanColor: opaque, belowColor: opaque,
             aboveColor: opaque, legend: text, title: text, axes: isOff, timeStamp: isOff, textScale: number(1, 0.5, 3),
             contrast: number(1, 0, 2), blend: number(0.8, 0, 1), background: {kind: 'color', default: 'ffffff'}, lighting: isOn, antialias: isOn, occlusion: isOff,
-            overlay: {...name('none', 'none', 'streamlines', 'topology', 'edges', 'outline'),
+            overlay: {...name('none', 'none', 'streamlines', 'topology', 'separation', 'edges', 'outline'),
                       pattern: '^(topology|edges|outline|streamlines(:[0-9.]+)?)(,(topology|edges|outline|streamlines(:[0-9.]+)?))*$'}, persistence: number(0.01, 0, 1, [0, 0.2])},
   camera: {fov: number(30, 10, 90, [20, 60]), position: point, focal: point, up: point},
 };

@@ -74,6 +74,9 @@ export class MockServer extends EventEmitter {
   withRanges = true;    // Of the arrays that isosurfaces can be cut at.
   refuse = () => null;  // (change) -> the message of an error Notice, or null.
   isSceneMoving = false;  // A viewer changes the scene and says that more will follow.
+  // What a Pick is told.
+  placeAt = () => ({position: [0.25, -0.5, 1e-7], depth: 3, normal: [0, 0, 1], triangle: 7, surface: 'bodies/ball.vtp',
+                    vectorName: 'U', vector: [3, 0, 4], tangential: [3, 0, 0], scalarName: 'p', scalar: -0.3125});
   legend = () => null;  // (width, height) -> [x, y, width, height] in a picture of that size.
   movedBy = [0, 0, 0];  // The scene, with its bounds and its own view.
   nextFrame = 0;

@@ -21,6 +21,7 @@ const fromHome = ({position, focal, ...rest}, farness) => ({...rest, focal, posi
 export class Viewer {
   views = [];     // Every View that came.
   shown = [];     // Every Shown.
+  picks = [];     // Every Pick.
   asked = [];     // Every Change but those that only say that the scene rests.
   hello = null;
   following = 0;
@@ -95,6 +96,9 @@ export class Viewer {
       this.following = number;
     } else if (type === 6) {
       this.server.emit('start', this);
+    } else if (type === 7) {
+      this.picks.push(json);
+      this.connection.send(messages.picked({view: json.view, place: this.server.placeAt(json)}));
     }
     this.#draw();
   }

@@ -52,6 +52,11 @@ test('a Notice is its JSON', () => {
   assert.deepEqual(parseMessage(message(0x47, text('{"level":"error"}'))).json, {level: 'error'});
 });
 
+test('a Pick is a View with a pixel, a Picked its JSON', () => {
+  assert.deepEqual([...jsonMessage(Type.pick, {x: 1})], [0xae, 1, 0x07, 0, 7, 0, 0, 0, ...text('{"x":1}')]);
+  assert.deepEqual(parseMessage(message(0x4a, text('{"view":9,"place":null}'))).json, {view: 9, place: null});
+});
+
 const bad = {
   'not binary': 'text',
   'no header': buffer(0xae, 1, 0x42),

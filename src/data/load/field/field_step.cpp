@@ -65,8 +65,9 @@ std::shared_ptr<const GridField> shareGrid(const std::shared_ptr<const GridField
 void addFacts(ByteWriter& writer, const FieldFacts& facts)
 {
     writer.add(facts.hasScalar);
-    writer.add(facts.scalarIsLength);
+    writer.add(facts.ofVectors);
     writer.add(facts.scalarName);
+    writer.add(facts.vectorsName);
     writer.add(facts.arrays);
     writer.add(facts.name);
     addArrays(writer, facts.offered);
@@ -78,8 +79,9 @@ FieldFacts readFacts(ByteReader& reader)
 {
     FieldFacts facts;
     reader.read(facts.hasScalar);
-    reader.read(facts.scalarIsLength);
+    reader.read(facts.ofVectors);
     reader.read(facts.scalarName);
+    reader.read(facts.vectorsName);
     reader.read(facts.arrays);
     reader.read(facts.name);
     facts.offered = readArrays(reader);

@@ -19,9 +19,10 @@ class GridFile;
 
 /// What is known of a field beside its values.
 struct FieldFacts {
-    bool hasScalar = false;       ///< Something to colour by is in the field.
-    bool scalarIsLength = false;  ///< That something is the vectors' own length.
+    bool hasScalar = false;                  ///< Something to colour by is in the field.
+    ArrayPart ofVectors = ArrayPart::whole;  ///< Scene::ofVectors, of that something.
     std::string scalarName;
+    std::string vectorsName;
     std::string arrays;             ///< What arrays there are, for messages.
     ArrayChoices offered;           ///< What arrays there are to choose from.
     std::vector<double> timeSteps;  ///< Those of a file that holds several.
@@ -37,7 +38,7 @@ FieldFacts readFacts(ByteReader& reader);
 struct FieldStep : FieldFacts {
     std::shared_ptr<const GridField> vectors;  ///< Null where the cuts carry them, or all is looked up in cells.
     std::shared_ptr<const DealtVolume> cells;  ///< Instead of vectors and scalar: looked up on the whole surface.
-    std::shared_ptr<const GridField> scalar;   ///< To colour by, where it is neither the surface's nor a length.
+    std::shared_ptr<const GridField> scalar;   ///< To colour by, where it is neither the surface's nor of the vectors.
     /// [surfaces] Those that are cut out of it, to be finished; or empty.
     std::vector<std::optional<LoadedSurface>> cuts;
 

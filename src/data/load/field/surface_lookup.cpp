@@ -107,9 +107,9 @@ WallValues SurfaceLookup::take(SurfaceMesh& mesh, const WallSampler::Volume& vol
     const FieldStep& first = *volume.step;
     WallLookup lookup;
     lookup.side = side_;
-    lookup.scalar = colors_ && !first.scalarIsLength;
-    lookup.shearLength = colors_ && context_.reader.colorsAreShear();
-    lookup.length = colors_ && first.scalarIsLength && !lookup.shearLength;
+    lookup.scalar = colors_ && first.ofVectors == ArrayPart::whole;
+    lookup.shearLength = colors_ && context_.reader.colorsAreShear() && !needsNormal(first.ofVectors);
+    lookup.length = colors_ && first.ofVectors == ArrayPart::length && !lookup.shearLength;
     WallValues values = wall().values(mesh, volume, lookup);
     if (later) {
         const WallValues more = wall().values(mesh, wall().aroundWall(mesh, *later), lookup);
@@ -151,7 +151,7 @@ void SurfaceLookup::lookUpFirst(const std::shared_ptr<const FieldStep>& step, bo
     if (otherSurfaces && !context_.sources.field.moves()) context_.keepStep(step);
     carried_ = true;
     scene_.field = scene_.scalarField = nullptr;
-    scene_.colorByFieldMagnitude = false;
+    if (scene_.ofVectors == ArrayPart::length) scene_.ofVectors = ArrayPart::whole;
     const std::size_t ownPoints = scene_.surface.positions.size();
     const WallSampler::Volume touching = wall().touching(scene_.surface, *step);
     refine(scene_.surface, touching);

@@ -16,18 +16,13 @@ void requireDifferentNames(const std::vector<ArrayInfo>& arrays, const std::stri
                 throw InputError(path, "found array '" + a.name + "' on points and on cells at once", "one of them");
 }
 
-bool same(const ArrayInfo& a, const ArrayInfo& b)
-{
-    return a.name == b.name && a.onPoints == b.onPoints;
-}
-
 }  // namespace
 
 std::vector<ArrayInfo> GridArrays::all() const
 {
     std::vector<ArrayInfo> all{vectors};
     const auto add = [&](const ArrayInfo& array) {
-        if (std::none_of(all.begin(), all.end(), [&](const ArrayInfo& a) { return same(a, array); }))
+        if (std::none_of(all.begin(), all.end(), [&](const ArrayInfo& a) { return sameArray(a, array); }))
             all.push_back(array);
     };
     if (scalar) add(scalar->array);
@@ -35,9 +30,10 @@ std::vector<ArrayInfo> GridArrays::all() const
     return all;
 }
 
-bool GridArrays::scalarIsVectorLength() const
+ArrayPart GridArrays::partOfVectors() const
 {
-    return scalar && scalar->part == ArrayPart::length && same(scalar->array, vectors);
+    if (!scalar || !sameArray(scalar->array, vectors)) return ArrayPart::whole;
+    return scalar->part == ArrayPart::length || needsNormal(scalar->part) ? scalar->part : ArrayPart::whole;
 }
 
 GridArrays chooseArrays(const std::vector<ArrayInfo>& available, const GridRequest& request, const std::string& path)
@@ -45,9 +41,11 @@ GridArrays chooseArrays(const std::vector<ArrayInfo>& available, const GridReque
     GridArrays chosen;
     chosen.vectors = chooseVectors(available, request.vectors, path);
     if (!request.colorBy.empty()) chosen.scalar = findScalar(available, request.colorBy, path);
+    if (chosen.scalar) requireOfVectors(*chosen.scalar, &chosen.vectors, path);
     for (const std::string& contour : request.contours) {
         const std::optional<ScalarChoice> choice = findScalar(available, contour, path);
         if (!choice) throw InputError(path, "no array '" + contour + "' for the isosurface", oneOf(available, contour));
+        requireOfVectors(*choice, nullptr, path);
         chosen.contours.insert_or_assign(contour, *choice);
     }
     requireDifferentNames(chosen.all(), path);

@@ -17,7 +17,8 @@ struct GridArrays {
     std::map<std::string, ScalarChoice> contours;  ///< What isosurfaces are cut by, as the request names it.
 
     std::vector<ArrayInfo> all() const;  ///< Each array once.
-    bool scalarIsVectorLength() const;   ///< The scalar is then computed from the sampled vector.
+    /// What of the vectors the scalar is, where it is computed from the sampled vector. The whole: it is not.
+    ArrayPart partOfVectors() const;
 };
 
 /// Throws InputError that begins with `path` where there are no such vectors, or no such array for the isosurface. A

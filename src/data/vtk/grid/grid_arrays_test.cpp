@@ -44,11 +44,11 @@ TEST(GridArrays, EachIsReadOnce)
 
 TEST(GridArrays, LengthOfTheVectorsIsTakenFromThem)
 {
-    EXPECT_TRUE(chooseArrays(kArrays, request("U:mag"), "f").scalarIsVectorLength());
-    EXPECT_FALSE(chooseArrays(kArrays, request("p"), "f").scalarIsVectorLength());
-    EXPECT_FALSE(chooseArrays(kArrays, request(""), "f").scalarIsVectorLength());
+    EXPECT_EQ(chooseArrays(kArrays, request("U:mag"), "f").partOfVectors(), ArrayPart::length);
+    EXPECT_EQ(chooseArrays(kArrays, request("p"), "f").partOfVectors(), ArrayPart::whole);
+    EXPECT_EQ(chooseArrays(kArrays, request(""), "f").partOfVectors(), ArrayPart::whole);
     const std::vector<ArrayInfo> two{array("U", 3), array("V", 3)};
-    EXPECT_FALSE(chooseArrays(two, request("V:mag"), "f").scalarIsVectorLength()) << "of others";
+    EXPECT_EQ(chooseArrays(two, request("V:mag"), "f").partOfVectors(), ArrayPart::whole) << "of others";
 }
 
 TEST(GridArrays, WhatColoursMayBeOnTheSurfaceAndWhatIsCutMayNot)

@@ -39,7 +39,7 @@ void GridData::take(vtkDataSet& raw, const GridArrays& arrays)
 
 void GridData::addMagnitudes(const GridArrays& arrays)
 {
-    if (!arrays.scalarIsVectorLength()) addMagnitude(arrays.scalar);
+    if (arrays.partOfVectors() == ArrayPart::whole) addMagnitude(arrays.scalar);
     for (const auto& [name, choice] : arrays.contours) addMagnitude(choice);
 }
 

@@ -172,9 +172,9 @@ bool GridFile::State::canReadHalves(FileReader& reader) const
     const glm::dvec3 spacing = reader.imageSpacing();
     if (!(std::min({spacing.x, spacing.y, spacing.z}) > 0)) return false;
     return wantsHalves && reader.announcesArrays() && arrays.all().size() == 1 && arrays.vectors.onPoints &&
-           arrays.contours.empty() && arrays.vectors.of.empty() && (!arrays.scalar || arrays.scalarIsVectorLength()) &&
-           arrays.vectors.components == 3 && *std::min_element(dims.begin(), dims.end()) >= 2 &&
-           dims[0] * dims[1] * dims[2] >= worthwhile;
+           arrays.contours.empty() && arrays.vectors.of.empty() &&
+           (!arrays.scalar || arrays.partOfVectors() != ArrayPart::whole) && arrays.vectors.components == 3 &&
+           *std::min_element(dims.begin(), dims.end()) >= 2 && dims[0] * dims[1] * dims[2] >= worthwhile;
 }
 
 void GridFile::State::readHalves(FileReader& reader, const ProgressReport& progress)
@@ -263,6 +263,7 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, const CutArrays& wanted, co
         if (!shells.empty()) {  // What is masked counts in the volume's points, and the scalar is the field's.
             std::erase_if(surface.tallies, [](const Tally& tally) { return tally.of == Tally::Of::maskedPoints; });
             surface.scalarLabel.clear();
+            surface.ofVectors = ArrayPart::whole;
         }
     }
     // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
@@ -293,7 +294,7 @@ std::shared_ptr<const CellVolume> GridFile::takeCells()
         throw InputError(
             grid.path, fmt::format("the data is flat: none of its {} cells has a volume", grid.set->GetNumberOfCells()),
             "a 3D field to sample, or --surface boundary to draw the flat data itself");
-    const bool ownScalar = hasScalar() && !scalarIsVectorLength();
+    const bool ownScalar = hasScalar() && partOfVectors() == ArrayPart::whole;
     const std::string& name = state_->arrays.vectors.name;
     const auto vectors = grid.release(name);
     const auto scalars = ownScalar ? grid.release(scalarLabel()) : vtkSmartPointer<vtkFloatArray>();
@@ -332,7 +333,7 @@ GridField GridFile::takeVectors()
 
 std::optional<GridField> GridFile::takeScalar()
 {
-    if (!hasScalar() || scalarIsVectorLength()) return std::nullopt;
+    if (!hasScalar() || partOfVectors() != ArrayPart::whole) return std::nullopt;
     GridData& grid = state_->grid;
     const std::string name = scalarLabel();
     GridField field = gridStructure(*grid.image(), grid.piece);
@@ -353,9 +354,14 @@ bool GridFile::vectorsAreBorrowed() const
     return state_->borrowed;
 }
 
-bool GridFile::scalarIsVectorLength() const
+ArrayPart GridFile::partOfVectors() const
 {
-    return state_->arrays.scalarIsVectorLength();
+    return state_->arrays.partOfVectors();
+}
+
+std::string GridFile::vectorsName() const
+{
+    return state_->arrays.vectors.name;
 }
 
 std::string GridFile::scalarLabel() const

@@ -79,11 +79,12 @@ public:
     /// The vectors' samples are the caller's memory, which nobody may write to.
     bool vectorsAreBorrowed() const;
 
-    /// The scalar to colour by, unless there is none or it is the vectors' own length. To be called once.
+    /// The scalar to colour by, unless there is none or it is a part of the vectors. To be called once.
     std::optional<GridField> takeScalar();
 
     bool hasScalar() const;
-    bool scalarIsVectorLength() const;
+    ArrayPart partOfVectors() const;  ///< GridArrays::partOfVectors()
+    std::string vectorsName() const;
     std::string scalarLabel() const;
     std::string arrays() const;                    ///< What arrays the file has, for messages.
     ArrayChoices offered() const;                  ///< What arrays the file has, to choose from.

@@ -19,7 +19,7 @@ GridOutline outlineOfGridFile(const std::string& path, const GridRequest& reques
     GridOutline outline{grid, std::nullopt};
     outline.vectors->name = arrays.vectors.name;
     outline.vectors->components = arrays.vectors.components;
-    if (!arrays.scalar || arrays.scalarIsVectorLength()) return outline;
+    if (!arrays.scalar || arrays.partOfVectors() != ArrayPart::whole) return outline;
     outline.scalar = grid;
     outline.scalar->name = arrays.scalar->label();
     outline.scalar->components = 1;

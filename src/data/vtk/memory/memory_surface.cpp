@@ -70,7 +70,8 @@ LoadedSurface surfaceFromMemory(const Surface& surface, const std::string& name,
     LoadedSurface loaded = meshFromPolyData(*polyData, name, chosen);
     loaded.arrays = listArrays(there);
     loaded.offered = offeredArrays(there);
-    if (scalar) loaded.scalarLabel = scalar->label();  // An empty piece says so, too.
+    if (scalar) tellColors(*scalar, loaded);  // An empty piece says so, too.
+    if (wanted.wantVectors) loaded.vectorsName = written.front().name;
     return loaded;
 }
 

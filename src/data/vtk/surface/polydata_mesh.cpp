@@ -279,20 +279,24 @@ void copyArrays(vtkPolyData& uncut, vtkPolyData& polyData, const SurfaceArrays& 
     const std::vector<ArrayInfo> arrays = arraysOf(polyData);
     surface.arrays = listArrays(withJoined(arrays));
     surface.offered = offeredArrays(withJoined(arrays));
+    const ArrayInfo* vectors = nullptr;
     if (wanted.wantVectors) {
-        const ArrayInfo& array = chooseVectors(arrays, wanted.vectors, where);
-        const auto floats = maskedFloats(uncut, polyData, array, surface);
-        (array.onPoints ? surface.mesh.pointVectors : surface.mesh.cellVectors) =
-            gatherVectors(*floats, array.onPoints ? kept.points : kept.cells);
+        vectors = &chooseVectors(arrays, wanted.vectors, where);
+        const auto floats = maskedFloats(uncut, polyData, *vectors, surface);
+        (vectors->onPoints ? surface.mesh.pointVectors : surface.mesh.cellVectors) =
+            gatherVectors(*floats, vectors->onPoints ? kept.points : kept.cells);
+        surface.vectorsName = vectors->name;
     }
     if (wanted.colorBy.empty()) return;
     const auto scalar = findScalar(arrays, wanted.colorBy, where);
     if (!scalar) return;
+    requireOfVectors(*scalar, vectors, where);
+    tellColors(*scalar, surface);
+    if (needsNormal(scalar->part)) return;
     auto floats = maskedFloats(uncut, polyData, scalar->array, surface);
     if (scalar->part != ArrayPart::whole) floats = partOf(*floats, scalar->part);
     (scalar->array.onPoints ? surface.mesh.pointScalars : surface.mesh.cellScalars) =
         gatherScalars(*floats, scalar->array.onPoints ? kept.points : kept.cells);
-    surface.scalarLabel = scalar->label();
 }
 
 /// Copies the file's own normals, if every one of them is a direction.
@@ -358,6 +362,12 @@ std::uint64_t topologyOf(vtkPolyData& polyData)
 }
 
 }  // namespace
+
+void tellColors(const ScalarChoice& scalar, LoadedSurface& surface)
+{
+    surface.scalarLabel = scalar.label();
+    if (needsNormal(scalar.part)) surface.ofVectors = scalar.part;
+}
 
 LoadedSurface meshFromPolyData(vtkPolyData& given, const std::string& path, const SurfaceArrays& asked, bool cutOut,
                                const std::string& pieces)

@@ -163,7 +163,7 @@ LoadedSurface readSurfaceFile(const std::string& path, const SurfaceArrays& arra
         if (const auto scalar = piece && !arrays.colorBy.empty()
                                     ? findScalar(reader.announcedArrays(), arrays.colorBy, path)
                                     : std::nullopt)
-            surface.scalarLabel = scalar->label();
+            tellColors(*scalar, surface);
     }
     surface.warnings.insert(surface.warnings.begin(), warnings.begin(), warnings.end());
     return surface;

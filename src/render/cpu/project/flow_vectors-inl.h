@@ -81,10 +81,23 @@ HWY_INLINE void takeOwn(const Hit& hit, const SceneArrays& arrays, const View& v
     s.scalar = hn::IfThenElse(isMarked(hit, surface_mark::kOwnScalar), surfaceScalar(hit, *arrays.scene), s.scalar);
 }
 
+/// The part of the vectors that needs the surface's unit normal; NaN where there is none.
+HWY_INLINE VF partByNormal(const Sampled& s, const V3& normal, ArrayPart part, const View& view)
+{
+    const DF d;
+    VF value = dot(normal, s.vector);
+    if (part == ArrayPart::tangential) {
+        const V3 tangent = mulAdd(normal, hn::Neg(value), s.vector);
+        value = hn::Sqrt(dot(tangent, tangent));
+    }
+    return hn::IfThenElse(s.hasVector, hn::Mul(value, hn::Set(d, view.vectorUnit)), hn::NaN(d));
+}
+
 /// Vector and scalar of each pixel, from the 3D field at its position (in `cell`) or from the surface's own arrays.
-/// Without a field, `mixed`: only the surface's own values.
-HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& cell, const SceneArrays& arrays,
-                              const FieldLookup* field, const FieldLookup* scalarField, bool mixed, const View& view)
+/// Without a field, `mixed`: only the surface's own values. `normal`: the surface's, unit length.
+HWY_INLINE Sampled sampleData(const Hit& hit, const V3& normal, const V3& local, const Cell<DF>& cell,
+                              const SceneArrays& arrays, const FieldLookup* field, const FieldLookup* scalarField,
+                              bool mixed, const View& view)
 {
     const DF d;
     const Scene& scene = *arrays.scene;
@@ -94,7 +107,7 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& c
     else
         takeVector(surfaceVector(hit, arrays),
                    mixed ? hn::And(hit.covered, isMarked(hit, surface_mark::kOwnVectors)) : hit.covered, view, s);
-    if (field && scene.colorByFieldMagnitude) {
+    if (field && scene.ofVectors == ArrayPart::length) {
         s.scalar = hn::IfThenElse(s.hasVector, hn::Mul(hn::Sqrt(dot(s.vector, s.vector)), hn::Set(d, view.vectorUnit)),
                                   hn::NaN(d));
     } else if (scalarField) {
@@ -104,6 +117,10 @@ HWY_INLINE Sampled sampleData(const Hit& hit, const V3& local, const Cell<DF>& c
         s.scalar = surfaceScalar(hit, scene);
     }
     if (field && mixed) takeOwn(hit, arrays, view, s);
+    if (needsNormal(scene.ofVectors)) {
+        const VF value = partByNormal(s, normal, scene.ofVectors, view);
+        s.scalar = mixed ? hn::IfThenElse(isMarked(hit, surface_mark::kOwnScalar), s.scalar, value) : value;
+    }
     s.hasVector = hn::AndNot(withoutStreaks(hit), s.hasVector);
     return s;
 }

@@ -165,7 +165,8 @@ void resolveRows(const TileKeys& keys, const Extent& tile, const SceneArrays& ar
 
         MF masked = hn::MaskFromVec(hn::Zero(d));
         if (parts.sampled) {
-            Sampled sampled = sampleData(hit, found.local, found.cell, arrays, field, scalarField, parts.mixed, view);
+            Sampled sampled =
+                sampleData(hit, normal, found.local, found.cell, arrays, field, scalarField, parts.mixed, view);
             ahead.askForSome();
             if (!parts.surface) sampled.hasVector = hn::And(sampled.hasVector, found.cell.inside);
             if (view.maskBelow > 0) masked = isMasked(sampled, view);

@@ -23,7 +23,9 @@ GLuint resolveProgram(Programs& programs, const Scene& scene, bool brick)
                                         {"SEVERAL_SURFACES", !scene.surfaces.empty()},
                                         {"HAS_FIELD", field && scene.field},
                                         {"HAS_SCALAR_FIELD", field && scene.scalarField},
-                                        {"SCALAR_IS_MAGNITUDE", field && scene.colorByFieldMagnitude},
+                                        {"SCALAR_IS_MAGNITUDE", field && scene.ofVectors == ArrayPart::length},
+                                        {"SCALAR_IS_NORMAL", scene.ofVectors == ArrayPart::normal},
+                                        {"SCALAR_IS_TANGENTIAL", scene.ofVectors == ArrayPart::tangential},
                                         {"CELL_VECTORS", !mesh.cellVectors.empty()},
                                         {"CELL_SCALARS", !mesh.cellScalars.empty()},
                                         {"POINT_SCALARS", !mesh.pointScalars.empty()}});

@@ -182,6 +182,14 @@ private:
     WireMessage stateMessage() const;
     const char* stateName() const;
 
+    // hub_picks.cpp
+    void onPick(Viewer& viewer, PickRequest pick);
+    void sendPick(Viewer& viewer);
+    void sendPicks();
+    void onPicked(ByteView payload);
+    void failPick(std::uint32_t viewer, const std::string& message);
+    void forgetPicks();
+
     // hub_changes.cpp
     void onChange(Viewer& viewer, ChangeRequest change);
     SceneDescription changed(const Viewer& viewer, const ChangeRequest& change) const;

@@ -25,6 +25,7 @@ void Hub::tick()
     tellOfLoad();
     restIfDue();
     drawNext();
+    sendPicks();
 }
 
 std::optional<std::string> Hub::overdue() const
@@ -165,6 +166,7 @@ void Hub::onNotice(ByteView payload)
         drawNext();  // What everybody sees is still right.
         return;
     }
+    if (notice.contains("pick")) return failPick(notice["pick"].get<std::uint32_t>(), message);
     Drawing* drawing = drawingOf(notice.value("frame", 0u));
     if (!drawing) return;
     if (const auto owner = viewers_.find(drawing->viewer); owner != viewers_.end())
@@ -195,6 +197,8 @@ void Hub::take(const WireMessage& message, const MessageView& view)
             return onProgress(view.payload);
         case MessageType::notice:
             return onNotice(view.payload);
+        case MessageType::picked:
+            return onPicked(view.payload);
         case MessageType::tile:
             return onTile(message, view.payload);
         case MessageType::frameEnd:
@@ -253,6 +257,7 @@ bool Hub::jobEnded(const std::string& message)
     }
     loading_.reset();  // What others want waits until the job is back.
     dropDrawing();
+    forgetPicks();
     jobRuns_ = false;
     direct_.clear();
     ++restarts_;
@@ -270,6 +275,7 @@ void Hub::jobWaits(const std::string& message)
 void Hub::jobGivenUp(const std::string& message)
 {
     dropDrawing();
+    forgetPicks();
     loading_.reset();
     jobRuns_ = false;
     setState(State::failed, message);

@@ -93,6 +93,9 @@ void Hub::receive(std::uint32_t id, const MessageView& message)
         case MessageType::start:
             onStart(from);
             break;
+        case MessageType::pick:
+            onPick(from, pickFrom(parseJson(message.payload), options_.largestSide));
+            break;
         default:
             throw ProtocolError("a message out of turn");
     }

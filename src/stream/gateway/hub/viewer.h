@@ -93,6 +93,8 @@ struct Viewer {
     SteadyClock::time_point lookedAt{};      ///< When its last View came.
     SteadyClock::time_point againFrom{};     ///< Its last view is drawn again from then on, unless it sends another.
     std::uint32_t againFor = 0;              ///< Whose change makes its last view be drawn again.
+    std::optional<PickRequest> pick;         ///< What it asks of a pixel and waits: the newest.
+    std::optional<std::uint32_t> picking;    ///< The view of the pick that the job has.
     bool sceneIsDue = false;                 ///< It has not been sent the newest Scene.
     std::optional<std::uint32_t> answerDue;  ///< The change of its own that this Scene answers.
     bool restIsDue = false;                  ///< Its view is at rest, and was drawn as if it moved, as the scene did.

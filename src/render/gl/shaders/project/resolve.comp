@@ -67,7 +67,20 @@ void takeVector(vec3 vector, bool known, inout Sampled s)
     s.hasVector = known && !isnan(s.vector.x + (s.vector.y + s.vector.z));
 }
 
-Sampled sampleData(Hit hit, vec3 local)
+// The part of the vector that needs the normal.
+float partByNormal(Sampled s, vec3 normal)
+{
+    float across = dot3(normal, s.vector);
+#if SCALAR_IS_TANGENTIAL
+    vec3 tangent = along(s.vector, normal, -across);
+    precise float value = sqrt(dot3(tangent, tangent)) * view.vectorUnit;
+#else
+    precise float value = across * view.vectorUnit;
+#endif
+    return s.hasVector ? value : notANumber();
+}
+
+Sampled sampleData(Hit hit, vec3 normal, vec3 local)
 {
     Sampled s;
     s.inside = true;
@@ -89,6 +102,9 @@ Sampled sampleData(Hit hit, vec3 local)
 #if MIXED && HAS_FIELD
     if ((hit.mark & kOwnVectors) != 0u) takeVector(surfaceVector(hit), true, s);
     if ((hit.mark & kOwnScalar) != 0u) s.scalar = surfaceScalar(hit);
+#endif
+#if SCALAR_IS_NORMAL || SCALAR_IS_TANGENTIAL
+    if (MIXED == 0 || (hit.mark & kOwnScalar) == 0u) s.scalar = partByNormal(s, normal);
 #endif
 #if SEVERAL_SURFACES
     s.hasVector = s.hasVector && hit.mark < kNoStreaks;
@@ -161,7 +177,7 @@ void main()
     vec3 normal = shadingNormal(hit);
     float facing = facingOf(normal, hit), faces = abs(facing);
 #if SAMPLED
-    Sampled s = sampleData(hit, local);
+    Sampled s = sampleData(hit, normal, local);
     uint flow = 0u;
     bool masked = view.maskBelow > 0.0 && s.hasVector && sqrt(dot3(s.vector, s.vector)) < view.maskBelow;
     if (s.hasVector) {

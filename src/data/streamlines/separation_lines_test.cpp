@@ -1,0 +1,122 @@
+#include "data/streamlines/separation_lines.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "base/mixed_bits.h"
+#include "data/builtin/surfaces.h"
+
+namespace aeolic {
+namespace {
+
+using Field = std::function<glm::vec3(const glm::vec3&)>;
+
+struct FoundLine {
+    SeparationLine line;
+    std::vector<glm::dvec3> places;
+};
+
+std::vector<FoundLine> foundOn(const std::string& builtin, const Field& flow, double persistence = 0.01)
+{
+    const SurfaceMesh mesh = makeBuiltinSurface(builtin);
+    std::vector<glm::vec3> vectors;
+    for (const glm::vec3& p : mesh.positions) vectors.push_back(flow(p));
+    std::vector<FoundLine> found;
+    for (const SeparationLine& line : separationLines(StreamlineSurface(mesh, vectors), persistence)) {
+        found.push_back({line, {}});
+        for (const SurfacePlace& place : line.places) found.back().places.push_back(positionWorld(mesh, place));
+    }
+    return found;
+}
+
+/// Runs along x and comes together at y = 0, or parts there.
+Field towards(double rate)
+{
+    return [=](const glm::vec3& at) { return glm::vec3(1, rate * double(at.y), 0); };
+}
+
+TEST(SeparationLines, AreWhereStreamlinesComeTogether)
+{
+    const auto found = foundOn("plane:8000", towards(-6));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_TRUE(found[0].line.separates);
+    EXPECT_GT(found[0].line.strength, std::log(2));
+    EXPECT_GT(found[0].line.lengthWorld, 1.2);
+    for (std::size_t i = 0; i < found[0].places.size(); ++i) {
+        EXPECT_NEAR(found[0].places[i].y, 0, 0.05);
+        EXPECT_TRUE(i == 0 || found[0].places[i].x > found[0].places[i - 1].x) << "downstream";
+    }
+}
+
+TEST(SeparationLines, OfAttachmentAreWhereStreamlinesPart)
+{
+    const auto found = foundOn("plane:8000", towards(6));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_FALSE(found[0].line.separates);
+    for (std::size_t i = 0; i < found[0].places.size(); ++i) {
+        EXPECT_NEAR(found[0].places[i].y, 0, 0.05);
+        EXPECT_TRUE(i == 0 || found[0].places[i].x > found[0].places[i - 1].x) << "downstream, too";
+    }
+}
+
+/// Parallel flow, one that turns, and one that runs into a point from all sides have none.
+TEST(SeparationLines, AreNotWhereStreamlinesOnlyPass)
+{
+    EXPECT_TRUE(foundOn("plane:8000", [](const glm::vec3&) { return glm::vec3(1, 0.3, 0); }).empty());
+    EXPECT_TRUE(foundOn("torus:8000", [](const glm::vec3& at) { return glm::vec3(-at.y, at.x, 0); }).empty());
+    EXPECT_TRUE(foundOn("plane:8000", [](const glm::vec3& at) { return -at; }).empty());
+    EXPECT_TRUE(
+        foundOn("plane:8000", [](const glm::vec3& at) { return glm::vec3(at.y - at.x, -at.x - at.y, 0); }).empty());
+    EXPECT_TRUE(foundOn("sphere:8000", [](const glm::vec3&) { return glm::vec3(1, 0, 0); }).empty());
+}
+
+TEST(SeparationLines, StayWhereTheDataAreNoisy)
+{
+    std::uint64_t which = 0;
+    const auto noise = [&] { return 0.6 * (double(mixedBits(++which) >> 11) * 0x1p-53 - 0.5); };
+    const auto found = foundOn(
+        "plane:8000", [&](const glm::vec3& at) { return glm::vec3(1 + noise(), -6 * double(at.y) + noise(), 0); });
+    ASSERT_FALSE(found.empty());
+    for (const glm::dvec3& place : found[0].places) EXPECT_NEAR(place.y, 0, 0.1);
+}
+
+TEST(SeparationLines, AreFewerWithALargerPersistence)
+{
+    const Field twice = [](const glm::vec3& at) { return glm::vec3(1, std::sin(60 * at.y), 0); };
+    const auto fine = foundOn("plane:20000", twice, 0.005), coarse = foundOn("plane:20000", twice, 0.1);
+    EXPECT_GT(fine.size(), 4u);
+    for (std::size_t i = 1; i < fine.size(); ++i) {
+        const SeparationLine &before = fine[i - 1].line, &line = fine[i].line;
+        EXPECT_TRUE(before.separates != line.separates ? before.separates : before.strength >= line.strength);
+    }
+    EXPECT_LT(coarse.size(), fine.size());
+    EXPECT_EQ(foundOn("plane:8000", towards(-6), 0).size(), 1u) << "the least there is";
+}
+
+TEST(SeparationLines, NothingFlowsNothingIsFound)
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_TRUE(foundOn("plane:200", [](const glm::vec3&) { return glm::vec3(0); }).empty());
+    EXPECT_TRUE(foundOn("plane:200", [](const glm::vec3&) { return glm::vec3(nan); }).empty());
+    EXPECT_TRUE(foundOn("plane:200", [](const glm::vec3&) { return glm::vec3(0, 0, 1); }).empty());
+}
+
+TEST(SeparationLines, AreTheSameFromOneThread)
+{
+    const auto many = foundOn("plane:8000", towards(-6));
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const auto alone = foundOn("plane:8000", towards(-6));
+    ASSERT_EQ(alone.size(), many.size());
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        EXPECT_EQ(alone[i].line.strength, many[i].line.strength);
+        EXPECT_EQ(alone[i].places, many[i].places);
+    }
+}
+
+}  // namespace
+}  // namespace aeolic
