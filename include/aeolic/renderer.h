@@ -207,7 +207,7 @@ public:
     FlowTopology topology();
 
     /// The open lines of separation and attachment of the flow along the surface that is shown now, by
-    /// `shading.persistence`: lines alone, without points. The rest is as for topology(). Cost: that of some 8,000
+    /// `shading.persistence`: lines alone, without points. The rest is as for topology(). Cost: that of some 4,000
     /// streamlines, parallel, each time.
     FlowTopology separation();
 

@@ -11,7 +11,7 @@
 namespace aeolic {
 namespace {
 
-constexpr std::size_t kFollowed = 4096;  // Streamlines, either way.
+constexpr std::size_t kFollowed = 2048;  // Streamlines, either way.
 constexpr double kLongest = 0.4;         // They are followed so far, as a part of the surface's size.
 constexpr double kStep = 0.5;    // Samples on them are this far apart; this and the next three in lines' distances.
 constexpr float kBeside = 2.5f;  // A line is compared with what is so far beside it.

@@ -24,7 +24,7 @@ struct SeparationLine {
 /// Streamlines that begin all over the surface are followed for a while. Where they come to lie much closer than
 /// elsewhere, and closer than on either side, they have met such a line (in the manner of Tricoche, Garth and
 /// Scheuermann, "Fast and robust extraction of separation line features", in: Scientific Visualization: The Visual
-/// Extraction of Knowledge from Data, 2006). No derivatives are taken, so noise does little. Cost: that of some 8,000
+/// Extraction of Knowledge from Data, 2006). No derivatives are taken, so noise does little. Cost: that of some 4,000
 /// streamlines, parallel. The same from any number of threads.
 std::vector<SeparationLine> separationLines(const StreamlineSurface& surface, double persistence);
 
