@@ -133,24 +133,31 @@ std::optional<std::array<double, 2>> rangeOfVectors(const SurfaceMesh& mesh, Arr
 std::optional<std::array<double, 2>> rangeOnSurface(const SurfaceMesh& mesh, const GridField& field, ArrayPart part)
 {
     const double cell = std::min({field.spacingWorld.x, field.spacingWorld.y, field.spacingWorld.z});
-    return parallelRange(
-               mesh.triangles.size(),
-               [&](Range& range, std::size_t i) {
-                   const auto& [ia, ib, ic] = mesh.triangles[i];
-                   const glm::dvec3 a = mesh.positions[ia], ab = glm::dvec3(mesh.positions[ib]) - a,
-                                    ac = glm::dvec3(mesh.positions[ic]) - a;
-                   const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
-                   const int n = int(std::clamp(std::ceil(longest / cell), 1.0, double(mostSubdivisions)));
-                   const auto look = [&](double s, double t) {
-                       const FieldVector found = vectorAt(field, mesh.originWorld + a + s * ab + t * ac);
-                       if (!found.inside || found.elsewhere) return;  // Another rank has it, or nobody.
-                       const glm::dvec3 normal = needsNormal(part) ? normalAt(mesh, i, s, t) : glm::dvec3(0);
-                       range.add(field.components == 1 ? found.vector.x : valueOf(part, found.vector, normal));
-                   };
-                   for (int u = 0; u <= n; ++u)
-                       for (int v = 0; u + v <= n; ++v) look(double(u) / n, double(v) / n);
-               })
-        .get();
+    const auto take = [&](Range& range, const glm::dvec3& place, const auto& normal) {
+        const FieldVector found = vectorAt(field, mesh.originWorld + place);
+        if (!found.inside || found.elsewhere) return;  // Another rank has it, or nobody.
+        range.add(field.components == 1 ? found.vector.x
+                                        : valueOf(part, found.vector, needsNormal(part) ? normal() : glm::dvec3(0)));
+    };
+    // Each point once: a mesh has six times as many corners.
+    Range all = parallelRange(mesh.positions.size(), [&](Range& range, std::size_t i) {
+        take(range, glm::dvec3(mesh.positions[i]), [&] { return glm::dvec3(mesh.normals[i]); });
+    });
+    const Range within = parallelRange(mesh.triangles.size(), [&](Range& range, std::size_t i) {
+        const auto& [ia, ib, ic] = mesh.triangles[i];
+        const glm::dvec3 a = mesh.positions[ia], ab = glm::dvec3(mesh.positions[ib]) - a,
+                         ac = glm::dvec3(mesh.positions[ic]) - a;
+        const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+        const int n = int(std::clamp(std::ceil(longest / cell), 1.0, double(mostSubdivisions)));
+        for (int u = 0; n > 1 && u <= n; ++u)
+            for (int v = 0; u + v <= n; ++v) {
+                const double s = double(u) / n, t = double(v) / n;
+                take(range, a + s * ab + t * ac, [&] { return normalAt(mesh, i, s, t); });
+            }
+    });
+    all.add(within.lo);
+    all.add(within.hi);
+    return all.get();
 }
 
 bool meets(const SurfaceMesh& mesh, const Bounds& boxWorld)
