@@ -1,6 +1,5 @@
 #include "loaded.h"
 
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <unistd.h>
 
@@ -23,6 +22,7 @@
 #include "output/nothing_shown.h"
 #include "output/picture_files.h"
 #include "output/stats_json.h"
+#include "pixels.h"
 
 namespace aeolic::python {
 
@@ -363,51 +363,16 @@ EvenSurfaceLines Loaded::streamlines()
 
 py::dict Loaded::buffers(const std::optional<std::string>& camera)
 {
-    PictureBuffers all = alone([&] {
-        if (!camera) return renderer_->buffers(scene_.camera);
-        return renderer_->buffers(changed(scene_, {{"--camera", *camera}}).camera);
-    });
-    const py::ssize_t height = all.height, width = all.width;
-    const auto array = [&](std::vector<float>& numbers, py::ssize_t parts) {
-        std::vector<py::ssize_t> shape{height, width};
-        if (parts > 1) shape.push_back(parts);
-        auto* const held = new std::vector<float>(std::move(numbers));  // Not copied: the array keeps it.
-        const py::capsule owner(held, [](void* memory) { delete static_cast<std::vector<float>*>(memory); });
-        return py::array_t<float>(shape, held->data(), owner);
-    };
-    py::dict told;
-    told["depth"] = array(all.depth, 1);
-    told["normal"] = array(all.normal, 3);
-    told["flow"] = array(all.flow, 2);
-    told["lic"] = array(all.lic, 1);
-    told["scalar"] = all.scalar.empty() ? py::object(py::none()) : py::object(array(all.scalar, 1));
-    return told;
+    return arraysOf(alone([&] {
+        return renderer_->buffers(camera ? changed(scene_, {{"--camera", *camera}}).camera : scene_.camera);
+    }));
 }
 
 py::object Loaded::pick(int x, int y, const std::optional<std::string>& camera)
 {
-    const std::optional<PickedPlace> place = alone([&] {
+    return told(alone([&] {
         return renderer_->pick(x, y, camera ? changed(scene_, {{"--camera", *camera}}).camera : scene_.camera);
-    });
-    if (!place) return py::none();
-    const auto vector = [](const std::optional<Vec3>& v) {
-        return v ? py::object(py::make_tuple((*v)[0], (*v)[1], (*v)[2])) : py::none();
-    };
-    const auto nameOrNone = [](const std::string& name) {
-        return name.empty() ? py::object(py::none()) : py::object(textOf(name));
-    };
-    py::dict told;
-    told["position"] = vector(place->position);
-    told["depth"] = place->depth;
-    told["normal"] = vector(place->normal);
-    told["triangle"] = place->triangle;
-    told["surface"] = textOf(place->surface);
-    told["vector_name"] = nameOrNone(place->vectorName);
-    told["vector"] = vector(place->vector);
-    told["tangential"] = vector(place->tangential);
-    told["scalar"] = place->scalar;
-    told["scalar_name"] = nameOrNone(place->scalarName);
-    return told;
+    }));
 }
 
 std::string Loaded::stats()

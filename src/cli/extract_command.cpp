@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -82,8 +82,7 @@ void ExtractCommand::run() const
     runTogether(*ranks, [&] {
         if (!kinds.contains(*what))
             throw InputError("WHAT", "found '" + *what + "'",
-                             "topology, separation or streamlines" +
-                                 didYouMean(*what, std::array{"topology", "separation", "streamlines"}));
+                             "topology, separation or streamlines" + didYouMean(*what, std::views::keys(kinds)));
         scene = sceneOptions.scene();
         if (ending != ".vtp" && ending != ".csv")
             throw InputError("-o", "found '" + outputPath + "'", "a name ending in .vtp or .csv");

@@ -32,7 +32,7 @@ bool isUntold(float value)
     return std::isnan(value);
 }
 
-/// As bits: NaN is the same as NaN.
+/// Whether the lists are equal, where NaN counts as equal to NaN.
 bool sameNumbers(const std::vector<float>& a, const std::vector<float>& b)
 {
     return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](float x, float y) {

@@ -74,6 +74,15 @@ std::string commonOf(SceneDescription description)
     return sceneToJson(description);
 }
 
+/// What `find` finds in a scene that is whole. Collective: `call` is what all ranks ask for.
+template <class State, class Find>
+auto ofWholeScene(State& state, const char* call, const Find& find)
+{
+    callTogether(
+        state.group.communicator(), call, [] { return std::string(); }, [&] { requireWhole(state.scene(), call); });
+    return state.arena.execute(find);
+}
+
 }  // namespace
 
 Renderer::Renderer(SceneDescription description, ProgressFunction progress)
@@ -243,31 +252,25 @@ void Renderer::setShading(const ShadingOptions& shading)
 FlowTopology Renderer::topology()
 {
     State& state = held();
-    callTogether(
-        state.group.communicator(), "topology", [] { return std::string(); },
-        [&] { requireWhole(state.scene(), "topology"); });
-    return state.arena.execute([&] { return flowTopology(state.scene(), state.description.shading.persistence); });
+    return ofWholeScene(state, "topology",
+                        [&] { return flowTopology(state.scene(), state.description.shading.persistence); });
 }
 
 FlowTopology Renderer::separation()
 {
     State& state = held();
-    callTogether(
-        state.group.communicator(), "separation", [] { return std::string(); },
-        [&] { requireWhole(state.scene(), "separation"); });
-    return state.arena.execute([&] { return openLines(state.scene(), state.description.shading.persistence); });
+    return ofWholeScene(state, "separation",
+                        [&] { return openLines(state.scene(), state.description.shading.persistence); });
 }
 
 EvenSurfaceLines Renderer::streamlines()
 {
     State& state = held();
-    callTogether(
-        state.group.communicator(), "streamlines", [] { return std::string(); },
-        [&] { requireWhole(state.scene(), "streamlines"); });
     const double asked = overlaysOf(state.description.shading.overlay).streamlinesPx;
     const View view = makeView(state.cameraOf(state.viewOfFrame(0)), state.scene(), state.description.lic);
-    return state.arena.execute(
-        [&] { return surfaceStreamlines(state.scene(), view, asked > 0 ? asked : Overlays::kUsualSpacingPx); });
+    return ofWholeScene(state, "streamlines", [&] {
+        return surfaceStreamlines(state.scene(), view, asked > 0 ? asked : Overlays::kUsualSpacingPx);
+    });
 }
 
 std::optional<PickedPlace> Renderer::pick(int x, int y, const std::optional<CameraOptions>& camera)

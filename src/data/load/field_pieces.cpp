@@ -147,11 +147,11 @@ FieldStep StepReader::unitePieces(const FieldStep& read, Agreement& agreement) c
     FieldStep step;
     static_cast<FieldFacts&>(step) = unitedFacts(own, agreement);
     step.name = read.name;
-    nameShear(step);
     const auto isEmpty = [](const auto& piece) { return piece->empty(); };
     const bool empty = agreement.all(std::all_of(own.begin(), own.end(), isEmpty));
     agreement.together([&] {
         if (empty) throw InputError(step.name, "no cells in any of its pieces", "a grid with cells");
+        nameShear(step);
         requireColors(step);
     });
     uniteOuterMeans(own, agreement);

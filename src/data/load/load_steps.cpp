@@ -4,13 +4,12 @@
 #include <utility>
 
 #include "aeolic/error.h"
-#include "base/half.h"
-#include "base/memory.h"
 #include "base/nearest_name.h"
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
 #include "data/field_component.h"
 #include "data/field_tiles.h"
+#include "data/half_field.h"
 #include "data/load/surface_message.h"
 #include "data/named_file.h"
 #include "data/reading/file_questions.h"
@@ -20,33 +19,6 @@
 
 namespace aeolic {
 namespace {
-
-std::int64_t countBeyondHalves(const GridField& field)
-{
-    const Brick whole{{0, 0, 0}, {field.dims[0] - 1, field.dims[1] - 1, field.dims[2] - 1}};
-    const CountedSamples counted{field.dims, field.firstSample(), field.heldDims(), field.brick.value_or(whole)};
-    std::int64_t count = 0;
-    for (std::size_t i = 0; i < field.sampleCount() * std::size_t(field.components); ++i)
-        count += isBeyondHalves(field.floats()[i]) && counted(std::int64_t(i) / field.components);
-    return count;
-}
-
-std::shared_ptr<const GridField> toHalf(const std::shared_ptr<const GridField>& field, std::vector<Tally>& tallies)
-{
-    const std::size_t count = field->sampleCount() * std::size_t(field->components);
-    requireMemory(field->name, "the field in half precision", 2 * count);
-    Tally tally{Tally::Of::halves, field->name};
-    tally.longest = field->maxMagnitude;
-    if (field->maxMagnitude > kLargestHalf) tally.found = countBeyondHalves(*field);
-    tallies.push_back(tally);
-    GridField half = *field;
-    const auto memory =
-        std::shared_ptr<std::uint16_t[]>(new std::uint16_t[count + 2]);  // Gathers may read past the end.
-    halvesFromFloatsParallel(field->floats(), memory.get(), count);
-    half.samples = std::shared_ptr<const void>(memory, memory.get());
-    half.precision = FieldPrecision::float16;
-    return std::make_shared<const GridField>(std::move(half));
-}
 
 /// Throws InputError where surfaces and field do not go together.
 void checkSources(const SceneSources& sources, const SceneDescription& description, const Data& memory,
@@ -261,7 +233,7 @@ FieldStep StepReader::builtinField(double time) const
     step.vectors = makeBuiltinFlow(description.field.spec, boundsWorld, part, time);
     const ArrayPart asked = parseArray(fieldColors()).part;
     if (const auto component = componentOf(asked)) step.scalar = componentOf(*step.vectors, *component);
-    if (description.field.precision == FieldPrecision::float16) step.vectors = toHalf(step.vectors, step.tallies);
+    if (description.field.precision == FieldPrecision::float16) step.vectors = halfField(step.vectors, step.tallies);
     step.vectors = inTiles(step.vectors);
     step.arrays = step.vectors->name + ":mag";
     step.offered = {{step.vectors->name, 3}};

@@ -9,9 +9,6 @@
 namespace aeolic {
 namespace {
 
-/// Places are on the same side of a sheet where the cosine between their normals is above this.
-constexpr float kSameSideCosine = 0.2f;
-
 /// Cells beyond are counted as these: far more than a surface has, in units of its size.
 constexpr int kMostCells = 1 << 20;
 
@@ -75,8 +72,7 @@ std::size_t LineCounts::near(const LineSample& place) const
     forEachCell(place.at, [&](const Cell& cell) {
         for (std::uint32_t i = cell.begin; i < cell.end; ++i) {
             const glm::vec3 way = samples_[i].at - place.at;
-            count +=
-                glm::dot(way, way) < reach_ * reach_ && glm::dot(samples_[i].normal, place.normal) >= kSameSideCosine;
+            count += glm::dot(way, way) < reach_ * reach_ && faceTheSameWay(samples_[i].normal, place.normal);
         }
     });
     return count;

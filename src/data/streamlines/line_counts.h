@@ -9,7 +9,7 @@
 namespace aeolic {
 
 /// How many samples of streamlines are near a place, for many samples that do not change. They lie in memory by the
-/// cells of a grid, so that those of one cell are beside each other. The two sides of a sheet do not count as near.
+/// cells of a grid, so that those of one cell are beside each other. Those count that face the same way.
 class LineCounts {
 public:
     /// `reach`: within which samples are counted. Cost: a sort.

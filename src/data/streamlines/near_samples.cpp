@@ -10,9 +10,6 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// Places are on the same side of a sheet where the cosine between their normals is above this.
-constexpr float kSameSide = 0.2f;
-
 /// Cells beyond are counted as these: far more than a surface has, in units of its size.
 constexpr float kFarthestCell = 1 << 30;
 
@@ -60,7 +57,7 @@ bool NearSamples::isFree(const LineSample& place, float radius, float ownArc) co
                 for (std::uint32_t i = first_[bucketOf(cell)]; i != kNone; i = samples_[i].next) {
                     const LineSample& other = samples_[i].sample;
                     const glm::vec3 way = other.at - place.at;
-                    if (!(glm::dot(way, way) < radius * radius) || glm::dot(other.normal, place.normal) < kSameSide)
+                    if (!(glm::dot(way, way) < radius * radius) || !faceTheSameWay(other.normal, place.normal))
                         continue;
                     if (other.chain != place.chain || std::abs(other.arc - place.arc) > ownArc) return false;
                 }

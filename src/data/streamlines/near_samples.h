@@ -13,8 +13,15 @@ struct LineSample {
     float arc = 0;            ///< Along it, from its seed on; less than 0 upstream.
 };
 
-/// Where streamlines run, for the question whether a place keeps its distance from them. Sheets that face different
-/// ways, as the two sides of a plate, do not count as near each other.
+/// Sheets that face different ways, as the two sides of a plate, are not near each other.
+inline bool faceTheSameWay(const glm::vec3& normal, const glm::vec3& other)
+{
+    constexpr float leastCosine = 0.2f;
+    return glm::dot(normal, other) >= leastCosine;
+}
+
+/// Where streamlines run, for the question whether a place keeps its distance from them: those that face the same
+/// way.
 class NearSamples {
 public:
     /// For distances of about `reach`. `expected`: about how many samples there will be.

@@ -13,12 +13,13 @@ namespace {
 
 constexpr std::size_t kFollowed = 2048;  // Streamlines, either way.
 constexpr double kLongest = 0.4;         // They are followed so far, as a part of the surface's size.
-constexpr double kStep = 0.5;    // Samples on them are this far apart; this and the next three in lines' distances.
+// Lengths, as multiples of how far apart two lines are at least.
+constexpr double kStep = 0.5;    // Samples on a streamline are so far apart.
 constexpr float kBeside = 2.5f;  // A line is compared with what is so far beside it.
-constexpr float kGap = 2;        // It may go unnoticed for so long.
-constexpr float kShortest = 6;
-constexpr float kDense = 2;  // On a line are so many times as many samples as on average …
-constexpr float kRidge = 2;  // … and so many times as many as on either side.
+constexpr float kGap = 2;        // A line may be too weak to be seen for so long.
+constexpr float kShortest = 6;   // No line is shorter.
+constexpr float kDense = 2;      // On a line are so many times as many samples as on average …
+constexpr float kRidge = 2;      // … and so many times as many as on either side.
 
 /// With less there would be too few streamlines between two lines to tell one by.
 constexpr double kLeastApart = 0.005;

@@ -18,13 +18,13 @@
 #include <limits>
 
 #include "aeolic/error.h"
-#include "base/fnv.h"
 #include "base/parallel.h"
 #include "data/mesh/mesh_tools.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/joined_arrays.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/polydata_vectors.h"
+#include "data/vtk/surface/polygons_hash.h"
 
 namespace aeolic {
 
@@ -342,25 +342,6 @@ void numberTriangles(vtkPolyData& input, vtkPolyData& triangles, const Kept& kep
         mesh.order.push_back(std::uint64_t(kept.cells[i] >= polygons) << 63 | std::uint64_t(rank) << 40 | i);
 }
 
-/// Which points every polygon and strip joins.
-std::uint64_t topologyOf(vtkPolyData& polyData)
-{
-    Fnv hash;
-    const auto mix = [&](vtkIdType number) { hash.mix(std::uint64_t(number)); };
-    mix(polyData.GetNumberOfPoints());
-    for (vtkCellArray* cells : {polyData.GetPolys(), polyData.GetStrips()}) {
-        vtkIdType size = 0;
-        const vtkIdType* corners = nullptr;
-        mix(cells->GetNumberOfCells());
-        for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
-            cells->GetCellAtId(cell, size, corners);
-            mix(size);
-            for (vtkIdType k = 0; k < size; ++k) mix(corners[k]);
-        }
-    }
-    return knownTopology(hash.value);
-}
-
 }  // namespace
 
 void tellColors(const ScalarChoice& scalar, LoadedSurface& surface)
@@ -385,7 +366,7 @@ LoadedSurface meshFromPolyData(vtkPolyData& given, const std::string& path, cons
         isEmpty ? &given : withVectors(given, arrays, surface.where).GetPointer();
     vtkPolyData& input = *whole;
     const vtkSmartPointer<vtkPolyData> finite = finiteCells(input, surface);
-    surface.topology = topologyOf(*finite);
+    surface.topology = polygonsHash(*finite);
     const bool empty = finite->GetNumberOfPolys() + finite->GetNumberOfStrips() == 0;
     if (empty && surface.piece) return surface;
     const vtkSmartPointer<vtkPolyData> polyData = triangulated(*finite);

@@ -11,7 +11,7 @@ constexpr double kMostMs = 60000;  // More is no time that a rank has taken.
 
 }  // namespace
 
-/// Of one viewer the newest pick counts, and one is on its way.
+/// Each viewer has at most one pick at the job. Of those that wait the newest counts.
 void Hub::onPick(Viewer& from, PickRequest pick)
 {
     from.pick = std::move(pick);
