@@ -88,10 +88,13 @@ struct ColorSum {
 };
 
 constexpr std::int32_t kNone = -1;
+constexpr std::uint8_t kAllSamples = (1u << antialias::kSamples) - 1;
+/// So many pixels ahead their neighbours are prefetched.
+constexpr std::uint32_t kAhead = 8;
 
 /// A pixel's samples, of which some show what no pixel's centre does. They have the nearest candidate's colours.
 struct UnseenSamples {
-    bool isUnseen[antialias::kSamples];
+    std::uint8_t which = 0;  ///< A bit for each sample.
     float light[antialias::kSamples] = {}, scalar[antialias::kSamples] = {};
     std::int32_t kind[antialias::kSamples] = {};
 };
@@ -100,7 +103,7 @@ void lightUnseen(Candidates& candidates, const float* light, const std::int32_t*
 {
     const bool any = candidates.has(0);
     for (int s = 0; s < antialias::kSamples; ++s) {
-        if (!out.isUnseen[s]) continue;
+        if ((out.which >> s & 1) == 0) continue;
         out.scalar[s] = any ? candidates.scalar(nearest[s]) : std::numeric_limits<float>::quiet_NaN();
         out.light[s] = light[s] * (any ? candidates.open(nearest[s]) : 1);
         out.kind[s] = any ? candidates.kind(nearest[s]) : 0;
@@ -118,13 +121,33 @@ namespace hn = hwy::HWY_NAMESPACE;
 using DP = hn::CappedTag<float, antialias::kSamples>;  // Some of a pixel's samples.
 using VP = hn::Vec<DP>;
 
-// Which candidate each sample takes: that of its own sheet which fits best, or none; and the nearest in depth.
-HWY_INLINE void chooseCandidates(Candidates& candidates, const EdgeSamples& samples, std::size_t at, float focalPx,
-                                 std::int32_t* chosen, std::int32_t* nearest)
+// A bit for each of a vector's lanes.
+HWY_INLINE std::uint8_t bitsOf(hn::Mask<DP> mask)
+{
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(DP(), mask, bits);
+    return bits[0];
+}
+
+// Which of a pixel's samples show background, a bit each.
+HWY_INLINE std::uint8_t emptySamples(const float* invDepth)
+{
+    const DP d;
+    std::uint8_t bits = 0;
+    for (int s = 0; s < antialias::kSamples; s += int(hn::Lanes(d)))
+        bits = std::uint8_t(bits | bitsOf(hn::Eq(hn::LoadU(d, invDepth + s), hn::Zero(d))) << s);
+    return bits;
+}
+
+// Which candidate each sample takes: that of its own sheet which fits best, or none; and the nearest in depth. Returns
+// which of them show a surface, but take none, a bit each.
+HWY_INLINE std::uint8_t chooseCandidates(Candidates& candidates, const EdgeSamples& samples, std::size_t at,
+                                         float focalPx, std::int32_t* chosen, std::int32_t* nearest)
 {
     const DP d;
     const hn::RebindToSigned<DP> di;
     const VP perDepth = slackPerDepth(d, focalPx);
+    std::uint8_t without = 0;
     for (int s = 0; s < antialias::kSamples; s += int(hn::Lanes(d))) {
         const auto place = [&](const std::int32_t* parts) AEOLIC_INLINE {
             return hn::Mul(hn::ConvertTo(d, hn::LoadU(di, parts + s)), hn::Set(d, 1.0f / float(antialias::kParts)));
@@ -136,7 +159,8 @@ HWY_INLINE void chooseCandidates(Candidates& candidates, const EdgeSamples& samp
         VP best = hn::Inf(d), closest = hn::Inf(d);
         auto chosenOf = hn::Set(di, kNone), nearestOf = hn::Zero(di);
         // Samples of background look for nobody.
-        auto done = hn::Eq(hn::LoadU(d, &samples.invDepth[first]), hn::Zero(d));
+        const auto empty = hn::Eq(depth, hn::Zero(d));
+        auto done = empty;
         for (int k = 0; !hn::AllTrue(d, done) && candidates.has(k); ++k) {
             const VP dx = hn::Sub(right, hn::Set(d, float(candidates.right[k]))),
                      dy = hn::Sub(down, hn::Set(d, float(candidates.down[k])));
@@ -157,7 +181,10 @@ HWY_INLINE void chooseCandidates(Candidates& candidates, const EdgeSamples& samp
         }
         hn::StoreU(chosenOf, di, chosen + s);
         hn::StoreU(nearestOf, di, nearest + s);
+        const auto none = hn::RebindMask(d, hn::Lt(chosenOf, hn::Zero(di)));
+        without = std::uint8_t(without | bitsOf(hn::AndNot(empty, none)) << s);
     }
+    return without;
 }
 
 // Adds the colours of samples that have taken a candidate's, with their own light.
@@ -167,7 +194,9 @@ HWY_INLINE void addTaken(const Candidates& candidates, const float* light, const
     const DP d;
     const hn::RebindToSigned<DP> di;
     const hn::RebindToUnsigned<DP> du;
-    const auto total = [&](auto counts) AEOLIC_INLINE { return 255 * hn::GetLane(hn::SumOfLanes(di, counts)); };
+    static_assert(kNone == -1, "the taken are those not negative");
+    // Two sums in a lane: none reaches 2^16.
+    auto redGreen = hn::Zero(di), blueTaken = hn::Zero(di);
     for (int s = 0; s < antialias::kSamples; s += int(hn::Lanes(d))) {
         const auto index = hn::LoadU(di, chosen + s);
         const auto taken = hn::Gt(index, hn::Set(di, kNone));
@@ -175,13 +204,23 @@ HWY_INLINE void addTaken(const Candidates& candidates, const float* light, const
         const auto color = hn::GatherIndex(du, candidates.color, from);
         VP brighter = hn::Set(d, 1.0f);
         if (lighting) brighter = hn::Div(hn::LoadU(d, light + s), hn::GatherIndex(d, candidates.light, from));
-        for (int c = 0; c < 3; ++c) {
+        const auto channel = [&](int c) AEOLIC_INLINE {
             const auto byte = hn::And(hn::ShiftRightSame(color, 8 * c), hn::Set(du, 0xFFu));
             const VP value = hn::MulAdd(hn::ConvertTo(d, hn::BitCast(di, byte)), brighter, hn::Set(d, 0.5f));
-            sum.channel[c] += total(hn::IfThenElseZero(taken, hn::ConvertTo(di, hn::Min(value, hn::Set(d, 255.0f)))));
-        }
-        sum.alpha += total(hn::IfThenElseZero(taken, hn::Set(di, 1)));
+            return hn::ConvertTo(di, hn::Min(value, hn::Set(d, 255.0f)));
+        };
+        const auto counted = [&](auto low, auto high) AEOLIC_INLINE {
+            return hn::IfThenElseZero(taken, hn::Or(low, hn::ShiftLeft<16>(high)));
+        };
+        redGreen = hn::Add(redGreen, counted(channel(0), channel(1)));
+        blueTaken = hn::Add(blueTaken, counted(channel(2), hn::Set(di, 1)));
     }
+    const std::int32_t sums[2] = {hn::GetLane(hn::SumOfLanes(di, redGreen)),
+                                  hn::GetLane(hn::SumOfLanes(di, blueTaken))};
+    sum.channel[0] += 255 * (sums[0] & 0xFFFF);
+    sum.channel[1] += 255 * (sums[0] >> 16);
+    sum.channel[2] += 255 * (sums[1] & 0xFFFF);
+    sum.alpha += 255 * (sums[1] >> 16);
 }
 
 // Adds the colours of samples that none of the pixels' centres shows.
@@ -201,10 +240,22 @@ HWY_INLINE void addUnseen(const Palette& palette, const UnseenSamples& samples, 
                   DU(), colors + i);
     }
     for (int s = 0; s < antialias::kSamples; ++s) {
-        if (!samples.isUnseen[s]) continue;
+        if ((samples.which >> s & 1) == 0) continue;
         for (int c = 0; c < 3; ++c) sum.channel[c] += 255 * std::int32_t((colors[s] >> (8 * c)) & 0xFFu);
         sum.alpha += 255;
     }
+}
+
+// Prefetches what candidates are looked up in, in the row below a pixel. Mostly those above were asked for before: of
+// the pixel above.
+HWY_INLINE void prefetchBelow(const EdgePixels& pixels, std::uint32_t number, const GBuffer& buffer,
+                              const ShownRows& shown)
+{
+    if (number >= pixels.count()) return;
+    const int x = pixels.x()[number], y = std::min(pixels.y()[number] + 1, buffer.valid().y1 - 1);
+    for (const Image<float>* image : {&buffer.invDepth, &buffer.gradX, &buffer.gradY, &buffer.light})
+        __builtin_prefetch(image->row(y) + x);
+    __builtin_prefetch(shown.pixel(x, y));
 }
 
 void mixAll(const EdgePixels& pixels, const EdgeSamples& samples, std::size_t first, const EdgeScene& scene,
@@ -221,28 +272,23 @@ void mixAll(const EdgePixels& pixels, const EdgeSamples& samples, std::size_t fi
     const auto backgroundShown = std::bit_cast<std::uint32_t>(palette.background);
     const std::uint32_t nothing = sumOfEmpty(antialias::kSamples).mean(backgroundShown);
     for (std::uint32_t number = 0; number < pixels.count(); ++number) {
+        prefetchBelow(pixels, number + kAhead, scene.buffer, shown);
         const int x = pixels.x()[number], y = pixels.y()[number];
         const std::size_t at = (first + number) * antialias::kSamples;
-        int empty = 0;
-        for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) empty += samples.invDepth[at + s] == 0;
-        if (empty == antialias::kSamples) {  // About every fourth.
+        const std::uint8_t empty = emptySamples(&samples.invDepth[at]);
+        if (empty == kAllSamples) {  // About every fourth.
             out[number] = nothing;
             continue;
         }
         Candidates candidates(x, y, scene, shown);
         std::int32_t chosen[antialias::kSamples], nearest[antialias::kSamples];
-        chooseCandidates(candidates, samples, at, scene.view.focalPx, chosen, nearest);
-        UnseenSamples unseen;
-        bool anyUnseen = false;
-        for (std::size_t s = 0; s < std::size_t(antialias::kSamples); ++s) {
-            unseen.isUnseen[s] = samples.invDepth[at + s] != 0 && chosen[s] == kNone;
-            anyUnseen = anyUnseen || unseen.isUnseen[s];
-        }
-        ColorSum sum = sumOfEmpty(empty);
+        const std::uint8_t unseen = chooseCandidates(candidates, samples, at, scene.view.focalPx, chosen, nearest);
+        ColorSum sum = sumOfEmpty(std::popcount(empty));
         addTaken(candidates, &samples.light[at], chosen, palette.lighting, sum);
-        if (anyUnseen) {
-            lightUnseen(candidates, &samples.light[at], nearest, unseen);
-            addUnseen(palette, unseen, sum);
+        if (unseen != 0) {
+            UnseenSamples lit{unseen};
+            lightUnseen(candidates, &samples.light[at], nearest, lit);
+            addUnseen(palette, lit, sum);
         }
         out[number] = sum.mean(backgroundShown);
     }

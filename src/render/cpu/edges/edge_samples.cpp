@@ -41,14 +41,15 @@ HWY_INLINE void resolveSome(std::size_t at, VF x, VF y, const SceneArrays& array
     hn::StoreU(lightOn(normal, facingOf(normal, hit), broadcast(d, view.softLight)), d, &samples.light[at]);
 }
 
-// Prefetches the data of the triangles that samples from `at` on show, as far as there are samples.
+// Prefetches the data of the triangles that samples from `at` on show, as far as there are samples. Without branches,
+// which would be foreseen badly: samples of nothing ask for the first triangle.
 HWY_INLINE void prefetchShown(const SampleKeys& drawn, std::size_t at, std::size_t count, const SceneArrays& arrays)
 {
     const std::size_t lanes = hn::Lanes(DF());
     const auto forEach = [&](std::size_t begin, const auto& ask) AEOLIC_INLINE {
         for (std::size_t i = begin; i < std::min(begin + lanes, count); ++i) {
             const std::uint64_t key = drawn.keys()[i];
-            if (key != 0) ask(TileKeys::triangle(key));  // A rank may have no triangles.
+            ask(key == 0 ? 0 : TileKeys::triangle(key));
         }
     };
     forEach(at + lanes, [&](std::uint32_t triangle) AEOLIC_INLINE { __builtin_prefetch(&arrays.corners[triangle]); });
@@ -67,6 +68,7 @@ void resolveAll(const SceneArrays& arrays, const View& view, EdgeSamples& sample
     const EdgePixels& pixels = samples.drawn.pixels();
     constexpr std::size_t kSamples = antialias::kSamples;
     const std::size_t count = pixels.count() * kSamples;
+    const std::size_t shown = arrays.corners.empty() ? 0 : count;  // A rank may have no triangles.
     for (std::size_t at = 0; at < count; at += hn::Lanes(d)) {
         const auto place = [&](const std::int32_t* pixel, const std::int32_t* parts) AEOLIC_INLINE {
             HWY_ALIGN std::int32_t part[hn::MaxLanes(d)];
@@ -79,7 +81,7 @@ void resolveAll(const SceneArrays& arrays, const View& view, EdgeSamples& sample
                 hn::Add(hn::ConvertTo(d, both), hn::Set(d, 0.5f)),
                 hn::Mul(hn::ConvertTo(d, hn::Load(DI(), part)), hn::Set(d, 1.0f / float(antialias::kParts))));
         };
-        prefetchShown(samples.drawn, at + hn::Lanes(d), count, arrays);
+        prefetchShown(samples.drawn, at + hn::Lanes(d), shown, arrays);
         resolveSome(at, place(pixels.x(), antialias::kRight), place(pixels.y(), antialias::kDown), arrays, view,
                     samples);
     }

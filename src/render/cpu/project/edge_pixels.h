@@ -40,6 +40,8 @@ public:
         for (int s = 0; s < kStrips; ++s) first_[std::size_t(s) + 1] = first_[std::size_t(s)] + inStrip(s, kRows);
         x_.resize(count() + kPadding);
         y_.resize(count() + kPadding);
+        right_.resize(count() + kPadding);
+        down_.resize(count() + kPadding);
         std::array<std::uint32_t, kStrips> next{};
         std::copy_n(first_.begin(), kStrips, next.begin());
         for (int k = 0; k < kRows; ++k)
@@ -48,6 +50,8 @@ public:
                 const std::size_t at = next[std::size_t(column / kColumns)]++;
                 x_[at] = tile.x0 + column;
                 y_[at] = tile.y0 + k;
+                right_[at] = float(column);
+                down_[at] = float(k);
             }
     }
 
@@ -56,6 +60,9 @@ public:
     /// Global pixels, [count()], and then anything for a vector.
     const std::int32_t* x() const { return x_.data(); }
     const std::int32_t* y() const { return y_.data(); }
+    /// The same from the tile's first pixel on.
+    const float* right() const { return right_.data(); }
+    const float* down() const { return down_.data(); }
 
     /// The strip of a column of the tile.
     int strip(int x) const { return (x - tile_.x0) / kColumns; }
@@ -99,6 +106,7 @@ private:
     std::array<std::uint64_t, kRows + 1> above_{};  // Pixels of each strip in the rows above, 16 bits each.
     std::array<std::uint32_t, kStrips + 1> first_{};
     std::vector<std::int32_t> x_, y_;
+    std::vector<float> right_, down_;
 };
 
 }  // namespace aeolic::cpu

@@ -88,16 +88,17 @@ bool FoundTriangles::has(const SceneArrays& arrays, const View& view, const Exte
 Extent FoundTriangles::sampledBy(std::uint32_t triangle, const Extent& scissor) const
 {
     const auto& corners = arrays_->scene->surface.triangles[triangle];
-    const auto least = [&](const std::vector<std::int32_t>& v) {
-        const std::int32_t lowest = std::min({v[corners[0]], v[corners[1]], v[corners[2]]});
+    const ScreenVertex &a = screen_[corners[0]], &b = screen_[corners[1]], &c = screen_[corners[2]];
+    const auto least = [&](std::int32_t ScreenVertex::*v) {
+        const std::int32_t lowest = std::min({a.*v, b.*v, c.*v});
         return (lowest - kSampleMargin + kSubpixels / 2 - 1) >> kSubpixelBits;
     };
-    const auto past = [&](const std::vector<std::int32_t>& v) {
-        const std::int32_t highest = std::max({v[corners[0]], v[corners[1]], v[corners[2]]});
+    const auto past = [&](std::int32_t ScreenVertex::*v) {
+        const std::int32_t highest = std::max({a.*v, b.*v, c.*v});
         return ((highest + kSampleMargin - kSubpixels / 2) >> kSubpixelBits) + 1;
     };
-    return {std::max(least(screen_.x), scissor.x0), std::max(least(screen_.y), scissor.y0),
-            std::min(past(screen_.x), scissor.x1), std::min(past(screen_.y), scissor.y1)};
+    return {std::max(least(&ScreenVertex::x), scissor.x0), std::max(least(&ScreenVertex::y), scissor.y0),
+            std::min(past(&ScreenVertex::x), scissor.x1), std::min(past(&ScreenVertex::y), scissor.y1)};
 }
 
 void FoundTriangles::findMarked(std::size_t chunk, const MarkedBoxes& marked, const Extent& scissor,

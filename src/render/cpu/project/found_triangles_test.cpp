@@ -84,15 +84,16 @@ std::vector<std::uint32_t> overMarked(const SceneArrays& arrays, const ScreenVer
     std::vector<std::uint32_t> ids;
     const auto& triangles = arrays.scene->surface.triangles;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const auto span = [&](const std::vector<std::int32_t>& v, int begin, int end) {
-            const auto [least, most] = std::minmax({v[triangles[i][0]], v[triangles[i][1]], v[triangles[i][2]]});
+        const auto span = [&](std::int32_t ScreenVertex::*v, int begin, int end) {
+            const auto corner = [&](std::size_t k) { return screen[triangles[i][k]].*v; };
+            const auto [least, most] = std::minmax({corner(0), corner(1), corner(2)});
             int first = begin, past = end;  // Pixels whose centre, with the margin, the triangle reaches.
             while (first < end && first * kSubpixels + kSubpixels / 2 + kSampleMargin < least) ++first;
             while (past > first && (past - 1) * kSubpixels + kSubpixels / 2 - kSampleMargin > most) --past;
             return std::pair(first, past);
         };
-        const auto [x0, x1] = span(screen.x, mask.rows.x0, mask.rows.x1);
-        const auto [y0, y1] = span(screen.y, mask.rows.y0, mask.rows.y1);
+        const auto [x0, x1] = span(&ScreenVertex::x, mask.rows.x0, mask.rows.x1);
+        const auto [y0, y1] = span(&ScreenVertex::y, mask.rows.y0, mask.rows.y1);
         if (x0 < x1 && y0 < y1 && anyMarked(mask, {x0, y0, x1, y1})) ids.push_back(std::uint32_t(i));
     }
     return ids;

@@ -23,11 +23,7 @@ HWY_INLINE void prefetchCorners(const SurfaceMesh& mesh, const ScreenVertices& s
 {
     for (std::size_t i = lanes; i < std::min(2 * lanes, ids.size()); ++i) __builtin_prefetch(&mesh.triangles[ids[i]]);
     for (std::size_t i = 0; i < std::min(lanes, ids.size()); ++i)
-        for (const std::uint32_t point : mesh.triangles[ids[i]]) {
-            __builtin_prefetch(&screen.x[point]);
-            __builtin_prefetch(&screen.y[point]);
-            __builtin_prefetch(&screen.invDepth[point]);
-        }
+        for (const std::uint32_t point : mesh.triangles[ids[i]]) __builtin_prefetch(&screen[point]);
 }
 
 using DS = hn::CappedTag<double, antialias::kSamples>;  // Some of a pixel's samples.
@@ -39,26 +35,35 @@ HWY_INLINE hn::Vec<D> perPart(D d, hn::Vec<D> perPixel)
     return hn::Mul(hn::ShiftRight<kSubpixelBits>(perPixel), hn::Set(d, kSubpixelsPerPart));
 }
 
-// A batch's edge functions at the centre of pixel 0, 0, and how much more than at its centre they are at the sample of
-// a pixel where they are largest. They may overflow, but not on the tile.
+// A batch's edge functions on the pixels of a tile.
 struct SampleReach {
-    HWY_ALIGN std::int32_t origin[3][Batch::kMost], most[3][Batch::kMost];
+    HWY_ALIGN std::int32_t atFirst[3][Batch::kMost];  // At the centre of the tile's first pixel.
+    // Where they are largest among a pixel's samples, in whole multiples of kSubpixels, rounded down: so they keep
+    // their sign. At the first pixel, and per pixel to the right and downwards. As all values on the tile, these are
+    // whole numbers below 2^23, which floats hold exactly.
+    HWY_ALIGN float most[3][Batch::kMost], perRight[3][Batch::kMost], perDown[3][Batch::kMost];
 
-    HWY_INLINE explicit SampleReach(const Batch& batch)
+    HWY_INLINE SampleReach(const Batch& batch, const Extent& tile)
     {
         const DI d;
-        const VI x0 = hn::Load(d, batch.x0), y0 = hn::Load(d, batch.y0);
+        const DF df;
+        const VI right = hn::Sub(hn::Load(d, batch.x0), hn::Set(d, tile.x0)),
+                 down = hn::Sub(hn::Load(d, batch.y0), hn::Set(d, tile.y0));
+        const auto inPixels = [&](VI edge) { return hn::ConvertTo(df, hn::ShiftRight<kSubpixelBits>(edge)); };
         for (int k = 0; k < 3; ++k) {
             const VI edgeX = hn::Load(d, batch.edgeX[k]), edgeY = hn::Load(d, batch.edgeY[k]);
-            const VI perRight = perPart(d, edgeX), perDown = perPart(d, edgeY);
-            VI largest = hn::Set(d, INT32_MIN);
+            const VF partX = hn::ConvertTo(df, perPart(d, edgeX)), partY = hn::ConvertTo(df, perPart(d, edgeY));
+            VF largest = hn::Set(df, -hwy::HighestValue<float>());
             for (int s = 0; s < antialias::kSamples; ++s) {
-                largest = hn::Max(largest, hn::Add(hn::Mul(perRight, hn::Set(d, antialias::kRight[s])),
-                                                   hn::Mul(perDown, hn::Set(d, antialias::kDown[s]))));
+                largest = hn::Max(largest, hn::MulAdd(partX, hn::Set(df, float(antialias::kRight[s])),
+                                                      hn::Mul(partY, hn::Set(df, float(antialias::kDown[s])))));
             }
-            const VI toFirst = hn::Add(hn::Mul(x0, edgeX), hn::Mul(y0, edgeY));
-            hn::Store(hn::Sub(hn::Load(d, batch.edge[k]), toFirst), d, origin[k]);
-            hn::Store(largest, d, most[k]);
+            const VI toFirst = hn::Add(hn::Mul(right, edgeX), hn::Mul(down, edgeY));
+            const VI first = hn::Sub(hn::Load(d, batch.edge[k]), toFirst);
+            hn::Store(first, d, atFirst[k]);
+            hn::Store(inPixels(hn::Add(first, hn::ConvertTo(d, largest))), df, most[k]);
+            hn::Store(inPixels(edgeX), df, perRight[k]);
+            hn::Store(inPixels(edgeY), df, perDown[k]);
         }
     }
 };
@@ -68,24 +73,27 @@ struct SampleReach {
 HWY_INLINE std::size_t pixelsNear(const Batch& batch, const SampleReach& reach, std::size_t lane,
                                   const EdgePixels::Range& range, SampleKeys& out, std::int32_t* numbers)
 {
-    const DI d;
-    const DF df;
-    const std::int32_t *x = out.pixels().x(), *y = out.pixels().y();
-    const VF nearest = hn::Set(df, batch.highest[lane] + batch.bias[lane]);
-    const auto edgeAt = [&](int k, VI px, VI py) AEOLIC_INLINE {
-        const VI first = hn::Add(hn::Set(d, reach.origin[k][lane]), hn::Set(d, reach.most[k][lane]));
-        return hn::Add(hn::Add(first, hn::Mul(px, hn::Set(d, batch.edgeX[k][lane]))),
-                       hn::Mul(py, hn::Set(d, batch.edgeY[k][lane])));
-    };
+    const DI di;
+    const DF d;
+    const float *right = out.pixels().right(), *down = out.pixels().down();
+    const VF nearest = hn::Set(d, batch.highest[lane] + batch.bias[lane]);
+    VF most[3], perRight[3], perDown[3];
+    for (int k = 0; k < 3; ++k) {
+        most[k] = hn::Set(d, reach.most[k][lane]);
+        perRight[k] = hn::Set(d, reach.perRight[k][lane]);
+        perDown[k] = hn::Set(d, reach.perDown[k][lane]);
+    }
     std::size_t count = 0;
     for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(d)) {
-        const VI px = hn::LoadU(d, x + i), py = hn::LoadU(d, y + i);
-        const VI signs = hn::Or(edgeAt(0, px, py), hn::Or(edgeAt(1, px, py), edgeAt(2, px, py)));
-        const auto shows = hn::Ge(nearest, hn::LoadU(df, out.farthest() + i));
-        const auto near = hn::And(hn::Gt(signs, hn::Set(d, -1)), hn::RebindMask(d, shows));
-        const VI number = hn::Add(hn::Iota(d, 0), hn::Set(d, std::int32_t(i)));
-        const auto chosen = hn::And(near, hn::Lt(number, hn::Set(d, std::int32_t(range.end))));
-        count += compressStore(number, chosen, d, numbers + count);
+        const VF px = hn::LoadU(d, right + i), py = hn::LoadU(d, down + i);
+        const auto edgeAt = [&](int k) AEOLIC_INLINE {
+            return hn::MulAdd(px, perRight[k], hn::MulAdd(py, perDown[k], most[k]));
+        };
+        const VF least = hn::Min(edgeAt(0), hn::Min(edgeAt(1), edgeAt(2)));
+        const MF near = hn::And(hn::Ge(least, hn::Zero(d)), hn::Ge(nearest, hn::LoadU(d, out.farthest() + i)));
+        const VI number = hn::Add(hn::Iota(di, 0), hn::Set(di, std::int32_t(i)));
+        const auto chosen = hn::And(hn::RebindMask(di, near), hn::Lt(number, hn::Set(di, std::int32_t(range.end))));
+        count += compressStore(number, chosen, di, numbers + count);
     }
     return count;
 }
@@ -95,13 +103,13 @@ HWY_INLINE void sampleSmall(const Batch& batch, const SampleReach& reach, std::s
                             const std::int32_t* numbers, std::size_t count, SampleKeys& out)
 {
     const DS d;
-    const hn::RebindToUnsigned<DS> du;
     const hn::RebindToSigned<DS> di;
     const hn::Rebind<float, DS> df;
     const hn::Rebind<std::int32_t, DS> di32;
-    const hn::Rebind<std::uint32_t, DS> du32;
     constexpr int kVectors = antialias::kSamples / int(hn::MaxLanes(d)), kLanes = int(hn::MaxLanes(d));
-    const auto notId = hn::Set(du, std::uint64_t(~batch.id[lane])), farthest = hn::Set(du, farKey);
+    // Keys are compared as signed numbers, which processors are better at: no depth is negative.
+    const auto notId = hn::Set(di, std::int64_t(std::uint32_t(~batch.id[lane]))),
+               farthest = hn::Set(di, std::int64_t(farKey));
     const auto lowest = hn::Set(df, batch.lowest[lane]), highest = hn::Set(df, batch.highest[lane]),
                bias = hn::Set(df, batch.bias[lane]);
     const auto depth = hn::Set(d, double(batch.depth[lane])), depthX = hn::Set(d, batch.depthX[lane]),
@@ -114,22 +122,20 @@ HWY_INLINE void sampleSmall(const Batch& batch, const SampleReach& reach, std::s
             beside[v][k] = hn::Add(hn::Mul(perPart(di32, hn::Set(di32, batch.edgeX[k][lane])), right),
                                    hn::Mul(perPart(di32, hn::Set(di32, batch.edgeY[k][lane])), down));
     }
+    const Extent& tile = out.pixels().tile();
     for (std::size_t i = 0; i < count; ++i) {
         const auto number = std::size_t(numbers[i]);
-        const auto px = hn::Set(di32, out.pixels().x()[number]), py = hn::Set(di32, out.pixels().y()[number]);
+        const int x = out.pixels().x()[number], y = out.pixels().y()[number];
         const auto centre = [&](int k) AEOLIC_INLINE {
-            return hn::Add(hn::Set(di32, reach.origin[k][lane]),
-                           hn::Add(hn::Mul(px, hn::Set(di32, batch.edgeX[k][lane])),
-                                   hn::Mul(py, hn::Set(di32, batch.edgeY[k][lane]))));
+            return hn::Set(di32, reach.atFirst[k][lane] + (x - tile.x0) * batch.edgeX[k][lane] +
+                                     (y - tile.y0) * batch.edgeY[k][lane]);
         };
         const auto e0 = centre(0), e1 = centre(1), e2 = centre(2);
-        const int right = out.pixels().x()[number] - batch.x0[lane], down = out.pixels().y()[number] - batch.y0[lane];
-        const auto centreX = hn::Set(d, double(batch.fromAX[lane] + right * kSubpixels)),
-                   centreY = hn::Set(d, double(batch.fromAY[lane] + down * kSubpixels));
+        const auto centreX = hn::Set(d, double(batch.fromAX[lane] + (x - batch.x0[lane]) * kSubpixels)),
+                   centreY = hn::Set(d, double(batch.fromAY[lane] + (y - batch.y0[lane]) * kSubpixels));
         for (int v = 0; v < kVectors; ++v) {
             const auto signs =
                 hn::Or(hn::Add(e0, beside[v][0]), hn::Or(hn::Add(e1, beside[v][1]), hn::Add(e2, beside[v][2])));
-            const auto inside = hn::Gt(hn::PromoteTo(di, signs), hn::Set(di, -1));
             const auto whole = [&](const std::int32_t* parts) AEOLIC_INLINE {
                 return hn::Mul(hn::PromoteTo(d, hn::LoadU(di32, parts + v * kLanes)),
                                hn::Set(d, double(kSubpixelsPerPart)));
@@ -138,11 +144,10 @@ HWY_INLINE void sampleSmall(const Batch& batch, const SampleReach& reach, std::s
                        fromAY = hn::Add(whole(antialias::kDown), centreY);
             const auto plane = hn::Add(hn::Mul(fromAX, depthX), hn::Add(depth, hn::Mul(depthY, fromAY)));
             const auto clamped = hn::Add(hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest), bias);
-            const auto key = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(du, hn::BitCast(du32, clamped))), notId);
-            std::uint64_t* at = out.keys() + number * antialias::kSamples + std::size_t(v * kLanes);
-            const auto before = hn::LoadU(du, at);
-            const auto shows = hn::AndNot(hn::Lt(key, farthest), hn::RebindMask(du, inside));
-            hn::StoreU(hn::IfThenElse(hn::And(hn::Gt(key, before), shows), key, before), du, at);
+            const auto key = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(di, hn::BitCast(di32, clamped))), notId);
+            const auto hidden = hn::Or(hn::Lt(hn::PromoteTo(di, signs), hn::Zero(di)), hn::Lt(key, farthest));
+            auto* at = reinterpret_cast<std::int64_t*>(out.keys()) + number * antialias::kSamples + v * kLanes;
+            hn::StoreU(hn::Max(hn::IfThenZeroElse(hidden, key), hn::LoadU(di, at)), di, at);
         }
     }
 }
@@ -161,7 +166,7 @@ void sampleAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<
         batch.take(ids.subspan(begin, count));
         if (begin + lanes < ids.size()) prefetchCorners(mesh, screen, ids.subspan(begin + lanes), lanes);
         setUp(mesh, screen, pixels.tile(), kSampleMargin, rule, batch);
-        const SampleReach reach(batch);
+        const SampleReach reach(batch, pixels.tile());
         for (std::size_t i = 0; i < count; ++i) {
             if (batch.isReady[i]) {
                 const int last = pixels.strip(batch.x1[i] - 1);
@@ -173,7 +178,7 @@ void sampleAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<
             } else if (batch.isLarge[i]) {
                 const auto& t = mesh.triangles[batch.id[i]];
                 const auto corner = [&](std::size_t k) {
-                    return Corner{screen.x[t[k]], screen.y[t[k]], screen.invDepth[t[k]]};
+                    return Corner{screen[t[k]].x, screen[t[k]].y, screen[t[k]].invDepth};
                 };
                 sampleTriangle(corner(0), corner(1), corner(2), batch.id[i], rule, out);
             }
@@ -219,16 +224,27 @@ void sampleTriangle(const Corner& a, const Corner& b, const Corner& c, std::uint
     const EdgePixels& pixels = out.pixels();
     const std::optional<TriangleRows> t = triangleRows(a, b, c, id, pixels.tile(), kSampleMargin, rule);
     if (!t) return;
+    // How much more than at a pixel's centre the edge functions are at a sample.
+    std::int64_t beside[3][antialias::kSamples], most[3];
+    for (int k = 0; k < 3; ++k) {
+        const std::int64_t perRight = t->edgeX[k] / kSubpixels * kSubpixelsPerPart,
+                           perDown = t->edgeY[k] / kSubpixels * kSubpixelsPerPart;
+        for (int s = 0; s < antialias::kSamples; ++s)
+            beside[k][s] = perRight * antialias::kRight[s] + perDown * antialias::kDown[s];
+        most[k] = *std::max_element(beside[k], beside[k] + antialias::kSamples);
+    }
+    const float nearest = t->highest + t->bias;
     const auto sample = [&](std::size_t number) {
         const std::int64_t right = pixels.x()[number] - t->x0, down = pixels.y()[number] - t->y0;
+        std::int64_t centre[3];
+        for (int k = 0; k < 3; ++k) centre[k] = t->edge[k] + right * t->edgeX[k] + down * t->edgeY[k];
+        // Most pixels of a large triangle's box have no sample of it, or show something nearer at all of them.
+        if (((centre[0] + most[0]) | (centre[1] + most[1]) | (centre[2] + most[2])) < 0) return;
+        if (nearest < out.farthest()[number]) return;
         for (int s = 0; s < antialias::kSamples; ++s) {
+            if (((centre[0] + beside[0][s]) | (centre[1] + beside[1][s]) | (centre[2] + beside[2][s])) < 0) continue;
             const std::int64_t subRight = std::int64_t{antialias::kRight[s]} * kSubpixelsPerPart,
                                subDown = std::int64_t{antialias::kDown[s]} * kSubpixelsPerPart;
-            const auto edgeAt = [&](int k) {
-                return t->edge[k] + right * t->edgeX[k] + down * t->edgeY[k] + t->edgeX[k] / kSubpixels * subRight +
-                       t->edgeY[k] / kSubpixels * subDown;
-            };
-            if ((edgeAt(0) | edgeAt(1) | edgeAt(2)) < 0) continue;
             const double fromAX = double(t->fromAX + right * kSubpixels + subRight),
                          fromAY = double(t->fromAY + down * kSubpixels + subDown);
             const double plane = fromAX * t->depthX + (t->depth + t->depthY * fromAY);

@@ -68,7 +68,7 @@ struct Triangles {
     {
         std::vector<Corner> corners;
         for (const std::uint32_t k : mesh.triangles[id])
-            corners.push_back({screen.x[k] - x, screen.y[k] - y, screen.invDepth[k]});
+            corners.push_back({screen[k].x - x, screen[k].y - y, screen[k].invDepth});
         return corners;
     }
 };
@@ -80,15 +80,15 @@ Triangles someTriangles(int count, double spanPx, std::uint32_t seed)
     std::uniform_real_distribution<double> unit(0, 1);
     Triangles triangles;
     for (int i = 0; i < count; ++i) {
-        const auto first = std::uint32_t(triangles.screen.x.size());
+        const auto first = std::uint32_t(triangles.screen.size());
         const double x = kTile.x0 - 10 + 84 * unit(random), y = kTile.y0 - 10 + 84 * unit(random);
         const double depth = 0.1 + unit(random);
         for (int k = 0; k < 3; ++k) {
-            triangles.screen.x.push_back(std::int32_t((x + spanPx * unit(random)) * kSubpixels));
-            triangles.screen.y.push_back(std::int32_t((y + spanPx * unit(random)) * kSubpixels));
-            triangles.screen.invDepth.push_back(float(depth + 0.05 * unit(random)));
+            const auto pointX = std::int32_t((x + spanPx * unit(random)) * kSubpixels),
+                       pointY = std::int32_t((y + spanPx * unit(random)) * kSubpixels);
+            triangles.screen.push_back({pointX, pointY, float(depth + 0.05 * unit(random))});
         }
-        if (i % 17 == 0) triangles.screen.x[first + 2] = triangles.screen.x[first + 1] = triangles.screen.x[first];
+        if (i % 17 == 0) triangles.screen[first + 2].x = triangles.screen[first + 1].x = triangles.screen[first].x;
         triangles.mesh.triangles.push_back({first, first + 1, first + 2});
     }
     return triangles;
@@ -158,16 +158,22 @@ TEST(SampleTriangles, WhatIsHiddenIsLeftOut)
         ASSERT_GT(known, pixels.count() / 2);
         sampleTriangles(triangles.mesh, triangles.screen, others, {}, drawn);
         expectAsCentres(triangles, drawn, 0, "in parts");
-        // A pixel is not even looked at where all that it shows is nearer.
-        Triangles far;
-        far.mesh.triangles.push_back({0, 1, 2});
-        const std::int32_t x = kTile.x0 * kSubpixels, y = kTile.y0 * kSubpixels, side = 40 * kSubpixels;
-        far.screen = {{x, x, x + side}, {y, y + side, y}, {0.2f, 0.2f, 0.2f}};
-        drawn.clear(pixels);
-        std::fill_n(drawn.farthest(), pixels.count(), 0.3f);
-        sampleTriangles(far.mesh, far.screen, std::vector<std::uint32_t>{0}, {}, drawn);
-        EXPECT_TRUE(std::all_of(drawn.keys(), drawn.keys() + pixels.count() * antialias::kSamples,
-                                [](std::uint64_t key) { return key == 0; }));
+        // A pixel is not even looked at where all that it shows is nearer, by small triangles or by large ones.
+        for (const std::int32_t side : {40 * kSubpixels, 80 * kSubpixels}) {
+            Triangles far;
+            far.mesh.triangles.push_back({0, 1, 2});
+            const std::int32_t x = kTile.x0 * kSubpixels, y = kTile.y0 * kSubpixels;
+            far.screen = {{x, y, 0.2f}, {x, y + side, 0.2f}, {x + side, y, 0.2f}};
+            const auto shown = [&](float nearer) {
+                drawn.clear(pixels);
+                std::fill_n(drawn.farthest(), pixels.count(), nearer);
+                sampleTriangles(far.mesh, far.screen, std::vector<std::uint32_t>{0}, {}, drawn);
+                return std::any_of(drawn.keys(), drawn.keys() + pixels.count() * antialias::kSamples,
+                                   [](std::uint64_t key) { return key != 0; });
+            };
+            EXPECT_FALSE(shown(0.3f)) << side;
+            EXPECT_TRUE(shown(0.2f)) << side;
+        }
     });
 }
 

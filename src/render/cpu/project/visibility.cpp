@@ -60,7 +60,7 @@ std::int32_t Visibility::nearerFacing() const
     for (std::size_t c = 0; c < found_.chunks(); ++c) {
         const std::vector<TriangleBox>& boxes = found_.boxes(c);
         for (std::size_t i = 0; i < boxes.size(); i += boxes.size() / kSamples + 1) {
-            sum[boxes[i].facing] += double(screen.invDepth[triangles[boxes[i].id][0]]);
+            sum[boxes[i].facing] += double(screen[triangles[boxes[i].id][0]].invDepth);
             ++count[boxes[i].facing];
         }
     }

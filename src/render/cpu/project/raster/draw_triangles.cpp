@@ -79,7 +79,7 @@ void drawAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<co
             if (batch.isLarge[i]) {
                 const auto& t = mesh.triangles[batch.id[i]];
                 const auto corner = [&](std::size_t k) {
-                    return Corner{screen.x[t[k]], screen.y[t[k]], screen.invDepth[t[k]]};
+                    return Corner{screen[t[k]].x, screen[t[k]].y, screen[t[k]].invDepth};
                 };
                 drawTriangle(corner(0), corner(1), corner(2), batch.id[i], tile, rule, drawn, keys);
             } else if (batch.isReady[i] &&

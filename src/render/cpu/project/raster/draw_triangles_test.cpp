@@ -23,11 +23,9 @@ struct Triangles {
 
     void add(const std::vector<Corner>& corners)
     {
-        const auto first = std::uint32_t(screen.x.size());
+        const auto first = std::uint32_t(screen.size());
         for (const Corner& corner : corners) {
-            screen.x.push_back(std::int32_t(corner.x));
-            screen.y.push_back(std::int32_t(corner.y));
-            screen.invDepth.push_back(corner.invDepth);
+            screen.push_back({std::int32_t(corner.x), std::int32_t(corner.y), corner.invDepth});
         }
         mesh.triangles.push_back({first, first + 1, first + 2});
     }
@@ -50,8 +48,8 @@ void expectAsOneByOne(const Triangles& triangles, float farInvDepth, const TileD
     for (const std::uint32_t id : ids) {
         const auto& t = triangles.mesh.triangles[id];
         const auto corner = [&](std::size_t k) {
-            const ScreenVertices& s = triangles.screen;
-            return Corner{s.x[t[k]], s.y[t[k]], s.invDepth[t[k]]};
+            const ScreenVertex& point = triangles.screen[t[k]];
+            return Corner{point.x, point.y, point.invDepth};
         };
         drawTriangle(corner(0), corner(1), corner(2), id, kTile, DrawRule{farInvDepth}, drawn, *single);
     }

@@ -41,9 +41,8 @@ void transformRange(const SceneArrays& arrays, const View& view, std::size_t beg
         const auto zero = hn::Zero(d);
         const auto fx = hn::NearestInt(hn::Mul(hn::IfThenElse(safe, sx, zero), scale));
         const auto fy = hn::NearestInt(hn::Mul(hn::IfThenElse(safe, sy, zero), scale));
-        hn::StoreU(hn::IfThenElse(hn::RebindMask(di, safe), fx, hn::Set(di, kUnsafe)), di, &out.x[i]);
-        hn::StoreU(fy, di, &out.y[i]);
-        hn::StoreU(invDepth, d, &out.invDepth[i]);
+        const auto x = hn::IfThenElse(hn::RebindMask(di, safe), fx, hn::Set(di, kUnsafe));
+        hn::StoreInterleaved4(x, fy, hn::BitCast(di, invDepth), hn::Zero(di), di, &out[i].x);
     }
 }
 
@@ -88,9 +87,7 @@ HWY_EXPORT(setUpRange);
 
 void transformVertices(const SceneArrays& arrays, const View& view, const VisibleGroups& visible, ScreenVertices& out)
 {
-    out.x.resize(arrays.x.size());
-    out.y.resize(arrays.x.size());
-    out.invDepth.resize(arrays.x.size());
+    out.resize(arrays.x.size());
     // Blocks are whole vectors of every target; the arrays' padding takes the last one's overhang.
     const std::size_t count = arrays.vertices.size();
     parallelRanges(visible.blocks(), 8, [&](std::size_t begin, std::size_t end) {

@@ -19,11 +19,14 @@ inline constexpr std::int32_t kUnsafe = INT32_MIN;
 /// Farthest safe distance from the image's origin, in pixels.
 inline constexpr float kGuardBandPx = float(1 << 21);
 
-/// Surface points on the image, structure of arrays, by point index. Memory is kept between frames.
-struct ScreenVertices {
-    std::vector<std::int32_t> x, y;  ///< Sub-pixels, origin top left of the whole image; x may be kUnsafe.
-    std::vector<float> invDepth;     ///< 1 / eye depth.
+/// A surface point on the image. Triangles have their points anywhere, so all of one lies in one line of the cache.
+struct alignas(16) ScreenVertex {
+    std::int32_t x, y;  ///< Sub-pixels, origin top left of the whole image; x may be kUnsafe.
+    float invDepth;     ///< 1 / eye depth.
+    std::uint32_t unused = 0;
 };
+/// By point index. Memory is kept between frames.
+using ScreenVertices = std::vector<ScreenVertex>;
 
 /// Projects the points of groups that may show; of others `out` keeps what it held. Local. Cost: about 1 ns per point
 /// and core.

@@ -43,18 +43,6 @@ struct Batch {
     }
 };
 
-/// A corner of each triangle.
-struct Corners {
-    VI x, y;
-    VF invDepth;
-};
-
-HWY_INLINE Corners cornersAt(const ScreenVertices& screen, VI point)
-{
-    return {hn::GatherIndex(DI(), screen.x.data(), point), hn::GatherIndex(DI(), screen.y.data(), point),
-            hn::GatherIndex(DF(), screen.invDepth.data(), point)};
-}
-
 // Whether p is the corner from which depths are computed, not q (drawTriangle()).
 HWY_INLINE hn::Mask<DI> comesFirst(const Corners& p, const Corners& q)
 {

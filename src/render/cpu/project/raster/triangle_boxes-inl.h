@@ -39,6 +39,19 @@ HWY_INLINE VI pastLastPixel(VI v)
     return hn::Add(hn::ShiftRight<kSubpixelBits>(hn::Sub(v, hn::Set(DI(), kSubpixels / 2))), hn::Set(DI(), 1));
 }
 
+/// A corner of each triangle.
+struct Corners {
+    VI x, y;
+    VF invDepth;
+};
+
+HWY_INLINE Corners cornersAt(const ScreenVertices& screen, VI point)
+{
+    static_assert(sizeof(ScreenVertex) == 4 * sizeof(std::int32_t));
+    const auto blocks = loadBlocks<4>(DU(), reinterpret_cast<const std::uint32_t*>(screen.data()), point);
+    return {hn::BitCast(DI(), blocks.a), hn::BitCast(DI(), blocks.b), hn::BitCast(DF(), blocks.c)};
+}
+
 /// Triangles that follow each other in a mesh.
 struct TriangleLanes {
     std::uint32_t first;    ///< Id of lane 0.
@@ -76,8 +89,9 @@ HWY_INLINE void forEachTriangleLanes(const SceneArrays& arrays, const ScreenVert
         t.first = std::uint32_t(at);
         const VI corner[3] = {hn::BitCast(d, a), hn::BitCast(d, b), hn::BitCast(d, c)};
         for (int k = 0; k < 3; ++k) {
-            t.x[k] = hn::GatherIndex(d, screen.x.data(), corner[k]);
-            t.y[k] = hn::GatherIndex(d, screen.y.data(), corner[k]);
+            const Corners place = cornersAt(screen, corner[k]);
+            t.x[k] = place.x;
+            t.y[k] = place.y;
         }
         const VI left = hn::Min(t.x[0], hn::Min(t.x[1], t.x[2])), top = hn::Min(t.y[0], hn::Min(t.y[1], t.y[2]));
         const VI right = hn::Max(t.x[0], hn::Max(t.x[1], t.x[2])), bottom = hn::Max(t.y[0], hn::Max(t.y[1], t.y[2]));
