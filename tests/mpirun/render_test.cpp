@@ -31,6 +31,34 @@ protected:
     }
 };
 
+/// One rank of a host asks about files, reads them and tells the others.
+TEST_F(MpirunRender, OneReaderAHost)
+{
+    const std::string head = "# vtk DataFile Version 3.0\nmade for a test\nASCII\nDATASET ";
+    std::string vectors = "POINT_DATA 8\nVECTORS u float\n";
+    for (int i = 0; i < 8; ++i) vectors += "1 0.5 0.25\n";
+    std::ofstream(path("grid.vtk")) << head << "STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\n"
+                                    << vectors;
+    std::ofstream(path("cells.vtk"))
+        << head << "UNSTRUCTURED_GRID\nPOINTS 8 float\n0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 1 1 1\n"
+        << "CELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n11\n"
+        << vectors;
+    std::ofstream(path("series.pvd")) << "<VTKFile type=\"Collection\"><Collection><DataSet timestep=\"1\" "
+                                         "file=\"grid.vtk\"/></Collection></VTKFile>";
+    const std::filesystem::path reader =
+        std::filesystem::path(AEOLIC_PROGRAM).parent_path() / "libexec/aeolic/aeolic-reader";
+    ASSERT_TRUE(std::filesystem::exists(reader));
+    std::ofstream(path("counted")) << "#!/bin/sh\necho >>started\nexec '" << reader.string() << "' \"$@\"\n";
+    std::filesystem::permissions(path("counted"), std::filesystem::perms::owner_all);
+    for (const std::string field : {"grid.vtk", "cells.vtk", "series.pvd"}) {
+        std::filesystem::remove(path("started"));
+        const Ended ended = mpirun("-n 4 env AEOLIC_READER=./counted " + aeolic() +
+                                   "render --surface boundary --field " + field + " --size 64x48 -o a.png");
+        ASSERT_EQ(ended.exitCode, 0) << ended.err;
+        EXPECT_EQ(bytes("started"), "\n") << field;
+    }
+}
+
 TEST_F(MpirunRender, TwoRanksHierarchical)
 {
     expectSameBytes(2, kTeapot + "--steps 60", "");

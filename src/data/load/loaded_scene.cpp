@@ -7,6 +7,7 @@
 
 #include "aeolic/error.h"
 #include "data/fingerprint.h"
+#include "data/load/ask_once.h"
 #include "data/load/join_scenes.h"
 #include "data/load/loaded_scene_state.h"
 
@@ -203,7 +204,7 @@ void LoadedScene::State::joinSurfaces()
 LoadedScene::LoadedScene(const SceneDescription& description, const Split& split, Agreement& agreement,
                          const ProgressReport& progress, const Data& memory)
 {
-    agreement.together([&] { state_ = std::make_unique<State>(description, memory, split, agreement); });
+    askOncePerHost(agreement, [&] { state_ = std::make_unique<State>(description, memory, split, agreement); });
     state_->load(progress);
     state_->forgetMemory();
 }

@@ -116,6 +116,14 @@ SceneSizes sizesAt(const SceneDescription& description, const FieldPart& part, c
     return sizes;
 }
 
+/// The file of the scene's surface; empty where it is none, or where there are several.
+std::string onlySurfaceFile(const SceneDescription& description)
+{
+    const std::vector<SurfaceItem> items = surfacesOf(description);
+    const SurfaceSpec spec = parseSurfaceSpec(items.front().spec);
+    return items.size() == 1 && spec.kind == SurfaceSpec::Kind::file ? splitParts(spec.text).file : "";
+}
+
 }  // namespace
 
 SceneSizes sizesOf(const Scene& scene)
@@ -164,13 +172,19 @@ std::uint64_t fieldBytesOf(const SceneDescription& description)
 
 std::uint64_t pieceFileBytesOf(const SceneDescription& description)
 {
-    const std::vector<SurfaceItem> items = surfacesOf(description);
-    const SurfaceSpec spec = parseSurfaceSpec(items.front().spec);
-    if (items.size() > 1 || spec.kind != SurfaceSpec::Kind::file) return 0;
-    const std::string file = splitParts(spec.text).file;
+    const std::string file = onlySurfaceFile(description);
+    if (file.empty()) return 0;
     const std::vector<std::uint64_t> bytes = pieceBytesOf(firstFileOf(file));
     if (bytes.size() < 2) return 0;
     return (namesSeries(file) ? kStepsInMemory : 1) * std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
+}
+
+void requireListOfPieces(const SceneDescription& description)
+{
+    const std::string file = onlySurfaceFile(description);
+    if (file.empty() || namesSeries(file)) return;
+    const FileKind* kind = namedKind(file);
+    if (kind && kind->use == FileUse::surface && kind->pieces == FilePieces::apart) checkReadableFile(file);
 }
 
 }  // namespace aeolic

@@ -45,4 +45,8 @@ std::uint64_t fieldBytesOf(const SceneDescription& description);
 /// steps of such files that are in memory together. 0 for any other surface. Throws InputError.
 std::uint64_t pieceFileBytesOf(const SceneDescription& description);
 
+/// Throws InputError where pieceFileBytesOf() would not find the file that lists the pieces. Starts no reader, and so
+/// passes over series. Each rank reads pieces of its own, and may have been started where the file is not.
+void requireListOfPieces(const SceneDescription& description);
+
 }  // namespace aeolic

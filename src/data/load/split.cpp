@@ -28,21 +28,21 @@ Split splitOf(const SceneDescription& description, Agreement& agreement, int ran
     if (!agreement.part().split() || description.run.bricks == BrickChoice::off) return split;
     const bool always = description.run.bricks == BrickChoice::on, hasField = !description.field.spec.empty();
     std::uint64_t pieceBytes = 0;
-    bool splitField = always, splitSurface = always;
-    agreement.together([&] {
-        if (memory.hasField())
-            splitField = false;
-        else if (!always)
-            splitField = !hasMemoryToRead(fieldBytesOf(description), ranksOnHost);
+    bool splitField = always && !memory.hasField(), splitSurface = always;
+    // What one rank of a host finds, holds for the others: they share its files and its memory.
+    agreement.readTogether([&] {
+        if (!agreement.isFirstOnHost()) return;
+        if (!memory.hasField() && !always) splitField = !hasMemoryToRead(fieldBytesOf(description), ranksOnHost);
         if (!memory.surface) pieceBytes = pieceFileBytesOf(description);
         if (!always) splitSurface = !hasMemoryToRead(pieceBytes, ranksOnHost);
     });
+    if (!memory.surface) agreement.together([&] { requireListOfPieces(description); });
     split.field = agreement.any(splitField);
     if (description.surfaces.size() > 1) {
         agreement.together([&] { requireWhole(description, split.field); });
         return split;
     }
-    if (!memory.surface) split.surface = agreement.any(splitSurface) && pieceBytes > 0;
+    if (!memory.surface) split.surface = agreement.any(splitSurface) && agreement.any(pieceBytes > 0);
     // A GPU draws no pieces, but bricks of a field on a surface that every rank holds.
     if (split.field && hasField && !memory.surface && description.run.backend == BackendChoice::gl)
         split.surface = false;

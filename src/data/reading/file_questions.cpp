@@ -6,6 +6,7 @@
 
 #include "aeolic/error.h"
 #include "data/named_file.h"
+#include "data/reading/known_answers.h"
 #include "data/reading/message_parts.h"
 #include "data/reading/reader_pool.h"
 
@@ -20,6 +21,17 @@ constexpr std::uint64_t kLargestPiece = std::uint64_t(1) << 43;  // Bytes. Those
     throw InputError(path, "the reader's answer makes no sense", "an undamaged file");
 }
 
+/// From a reader, or as one answered before.
+Bytes answerTo(const Bytes& request, const std::string& path, const char* what)
+{
+    KnownAnswers* known = KnownAnswers::current();
+    if (const Bytes* before = known ? known->find(request) : nullptr) return *before;
+    ReaderLease reader;
+    ReaderProcess::Answer answer = reader->ask(PacketKind::look, request, {path, what}, {});
+    if (known) known->keep(request, answer.text);
+    return std::move(answer.text);
+}
+
 /// `take` reads the answer out of the message, and may throw std::runtime_error.
 template <class Take>
 auto answerTo(Question question, const std::string& path, const char* what, const std::vector<std::string>& words,
@@ -28,12 +40,10 @@ auto answerTo(Question question, const std::string& path, const char* what, cons
     std::error_code error;
     ByteWriter message;
     add(message, LookRequest{std::filesystem::current_path(error).string(), path, question, use, words});
-    const Bytes bytes = message.take();
-    ReaderLease reader;
-    const ReaderProcess::Answer answer = reader->ask(PacketKind::look, bytes, {path, what}, {});
-    ByteReader text(answer.text);
+    const Bytes text = answerTo(message.take(), path, what);
+    ByteReader answer(text);
     try {
-        return take(text);
+        return take(answer);
     } catch (const InputError&) {
         throw;
     } catch (const std::runtime_error&) {
