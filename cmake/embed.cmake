@@ -41,8 +41,8 @@ list(FILTER AEOLIC_WEB_FILES EXCLUDE REGEX "/web/loop/")
 embed_files(aeolicWebFiles ${CMAKE_CURRENT_SOURCE_DIR}/web ${AEOLIC_WEB_FILES})
 
 # What a file with a loop is made of (src/output/loop_page.cpp).
-embed_files(aeolicLoopFiles ${CMAKE_CURRENT_SOURCE_DIR}/web
-    ${CMAKE_CURRENT_SOURCE_DIR}/web/loop/loop.html ${CMAKE_CURRENT_SOURCE_DIR}/web/picture/cycle.js)
+file(GLOB AEOLIC_LOOP_FILES CONFIGURE_DEPENDS web/loop/loop.html web/picture/cycle*.js)
+embed_files(aeolicLoopFiles ${CMAKE_CURRENT_SOURCE_DIR}/web ${AEOLIC_LOOP_FILES})
 
 # The GPU backend's shaders (src/render/gl/device/programs.cpp).
 if(AEOLIC_GL)

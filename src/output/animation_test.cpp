@@ -192,7 +192,9 @@ TEST(LoopPage, IsOneFileThatPlaysTheCycleInTheTimeOfAllFrames)
     const std::string text = textOf(path);
     EXPECT_NE(text.find("<title>&lt;Wing> &amp; &quot;tail&quot;</title>"), text.npos);
     EXPECT_NE(text.find("const SECONDS = 3;"), text.npos);
-    EXPECT_NE(text.find("class CyclePlayer"), text.npos);
+    for (const char* part : {"class GpuPlayer", "class CyclePainter", "const playerFor"})
+        EXPECT_NE(text.find(part), text.npos) << part;
+    EXPECT_EQ(text.find("import {"), text.npos);
     EXPECT_NE(text.find("background: #ffffff"), text.npos);
     for (const char* name : {"@TITLE@", "@BACKGROUND@", "@WIDTH@", "@HEIGHT@", "@COUNT@", "@SECONDS@", "@PLAYER@",
                              "@PICTURES@", "http:", "https:"})

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/embedded_file.h"
@@ -24,6 +27,19 @@ std::string_view loopFile(std::string_view name)
     throw std::logic_error("no file of a loop's page has that name");
 }
 
+/// What plays the pictures: the page's modules as one script, without what they import from each other.
+std::string playerScript()
+{
+    std::string script;
+    for (const char* name : {"picture/cycle.js", "picture/cycle_gpu.js", "picture/cycle_painter.js",
+                             "picture/cycle_player.js"}) {
+        std::istringstream lines{std::string(loopFile(name))};
+        for (std::string line; std::getline(lines, line);)
+            if (!line.starts_with("import ")) script += line + '\n';
+    }
+    return script;
+}
+
 std::string base64(const std::string& bytes)
 {
     std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // The function ends it with a zero.
@@ -33,7 +49,7 @@ std::string base64(const std::string& bytes)
     return text;
 }
 
-/// A page that stands alone: the pictures of one cycle, and what plays them in a browser (web/picture/cycle.js).
+/// A page that stands alone: the pictures of one cycle, and what plays them in a browser (web/picture/cycle_player.js).
 class LoopPage : public Animation {
 public:
     explicit LoopPage(const AnimationPlan& plan) : plan_(plan) {}
@@ -54,7 +70,7 @@ public:
             {"@HEIGHT@", std::to_string(height_)},
             {"@COUNT@", std::to_string(plan_.frames)},
             {"@SECONDS@", fmt::format("{}", plan_.frames / plan_.framesPerSecond)},
-            {"@PLAYER@\n", std::string(loopFile("picture/cycle.js"))},
+            {"@PLAYER@\n", playerScript()},
             {"@PICTURES@\n", pictures_},
         };
         NewFile file(plan_.path);

@@ -151,6 +151,44 @@ test('the streaks flow: eight pictures of a cycle are asked for, and then nothin
   assert.equal(sent.lastView().lic.flow, 'off');
 });
 
+test('with a GPU and without, players show what lies between the pictures of a cycle', async () => {
+  await open();
+  const found = await page.evaluate(async () => {
+    const load = (name) => import(new URL(`picture/${name}.js`, document.baseURI));
+    const [{GpuPlayer}, {CyclePainter}, {playerFor}] = await Promise.all(['cycle_gpu', 'cycle_painter', 'cycle_player'].map(load));
+    const [width, height, flows, count] = [70, 40, 48, 8], wave = (turns) => Math.cos(2 * Math.PI * turns);
+    const valueAt = (x, y, turns) => Math.round(128 + (x < flows) * (60 * wave(turns + x / 16) + 10 * wave(2 * turns + y / 8)));
+    const picture = (turns) => {
+      const image = new ImageData(width, height);
+      for (let y = 0; y < height; ++y) for (let x = 0; x < width; ++x) image.data.set([valueAt(x, y, turns), 255 - valueAt(x, y, turns), 128, 255], 4 * (y * width + x));
+      return image;
+    };
+    const pictures = Array.from({length: count}, (_, i) => picture(i / count)), canvasOf = () => document.createElement('canvas');
+    const errorsOf = (player, canvas) => {
+      const boxes = player.setPictures(pictures), errors = [];
+      for (let i = 0; i < 50; ++i) player.draw(i / 50);  // Until all that is worked out ahead is there.
+      for (const turns of [0, 0.03, 0.11, 0.52, 0.97, 3.3]) {
+        player.draw(turns);
+        const copy = Object.assign(canvasOf(), {width: canvas.width, height: canvas.height}).getContext('2d');
+        copy.drawImage(canvas, 0, 0);
+        const shown = copy.getImageData(0, 0, canvas.width, canvas.height).data, right = picture(turns).data;
+        let most = 0;
+        for (let y = 0; y < height; ++y) for (let x = 0; x < flows; ++x) for (let c = 0; c < 4; ++c) most = Math.max(most, Math.abs(shown[4 * (y * canvas.width + x) + c] - right[4 * (y * width + x) + c]));
+        errors.push(most);
+      }
+      return {boxes, errors, size: [canvas.width, canvas.height]};
+    };
+    const [one, other] = [canvasOf(), canvasOf()];
+    return {gpu: errorsOf(new GpuPlayer(one), one), painter: errorsOf(new CyclePainter(other), other), chosen: playerFor(canvasOf()).constructor.name};
+  });
+  for (const [name, most] of [['gpu', 1], ['painter', 3]]) {
+    assert.deepEqual(found[name].size, [48, 40], name);
+    assert.ok(found[name].errors.every((error) => error <= most), `${name}: ${found[name].errors}`);
+  }
+  assert.deepEqual(found.gpu.boxes, found.painter.boxes);
+  assert.equal(found.chosen, 'CyclePainter', 'no GPU is here');
+});
+
 test('a window of another size asks for another picture, once', async () => {
   await open();
   const count = sent.views().length;

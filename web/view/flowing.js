@@ -1,8 +1,8 @@
 // Lets the streaks flow while nothing else moves. The server draws a few pictures of one cycle, and then has nothing to do:
-// CyclePlayer draws those between them, at the screen's rate, also while the server is away. Whatever changes the picture
+// a player draws those between them, at the screen's rate, also while the server is away. Whatever changes the picture
 // ends that, and the next cycle is asked for when the view is at rest again.
 
-import {CyclePlayer} from '../picture/cycle.js';
+import {playerFor} from '../picture/cycle_player.js';
 import {FLOW_PICTURES} from './model.js';
 
 const LONGEST_STEP_S = 0.1;  // After a pause (a hidden tab) the flow goes on where it was.
@@ -23,7 +23,7 @@ export class Flowing {
   #lastMs = 0;
 
   /// `canvas` lies over the picture's own.
-  constructor(page, canvas, makePlayer = (canvas) => new CyclePlayer(canvas)) {
+  constructor(page, canvas, makePlayer = playerFor) {
     this.#page = page;
     this.#canvas = canvas;
     this.#makePlayer = makePlayer;
