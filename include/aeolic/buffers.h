@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 namespace aeolic {
@@ -13,6 +14,8 @@ struct PictureBuffers {
     std::vector<float> flow;    ///< [pixels * 2] The way of one integration step, pixels to the right and downwards.
     std::vector<float> lic;     ///< [pixels] The streaks before contrast and light: mean 0, variance about 1.
     std::vector<float> scalar;  ///< [pixels] What is coloured by, in the data's unit; empty where there is nothing.
+    /// [pixels] Which of the scene's surfaces, in the order of the description, from 0; -1 on the background.
+    std::vector<std::int32_t> surface;
 };
 
 }  // namespace aeolic

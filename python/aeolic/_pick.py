@@ -25,6 +25,7 @@ class PictureBuffers(NamedTuple):
     flow: Any  #: (height, width, 2): the way of one integration step, pixels to the right and downwards.
     lic: Any  #: (height, width): the streaks before contrast and light, of mean 0 and a variance of about 1.
     scalar: Optional[Any]  #: (height, width): what color_by names; None without it.
+    surface: Any  #: (height, width), whole numbers: which of the surfaces, from 0; -1 on the background.
 
     @property
     def covered(self):

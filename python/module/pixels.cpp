@@ -45,12 +45,12 @@ py::object told(const std::optional<PickedPlace>& place)
 
 py::dict arraysOf(PictureBuffers buffers)
 {
-    const auto array = [&](std::vector<float>& numbers, py::ssize_t parts) {
+    const auto array = [&]<class Number>(std::vector<Number>& numbers, py::ssize_t parts) {
         std::vector<py::ssize_t> shape{buffers.height, buffers.width};
         if (parts > 1) shape.push_back(parts);
-        auto* const held = new std::vector<float>(std::move(numbers));
-        const py::capsule owner(held, [](void* memory) { delete static_cast<std::vector<float>*>(memory); });
-        return py::array_t<float>(shape, held->data(), owner);
+        auto* const held = new std::vector<Number>(std::move(numbers));
+        const py::capsule owner(held, [](void* memory) { delete static_cast<std::vector<Number>*>(memory); });
+        return py::array_t<Number>(shape, held->data(), owner);
     };
     py::dict fields;
     fields["depth"] = array(buffers.depth, 1);
@@ -58,6 +58,7 @@ py::dict arraysOf(PictureBuffers buffers)
     fields["flow"] = array(buffers.flow, 2);
     fields["lic"] = array(buffers.lic, 1);
     fields["scalar"] = buffers.scalar.empty() ? py::object(py::none()) : py::object(array(buffers.scalar, 1));
+    fields["surface"] = array(buffers.surface, 1);
     return fields;
 }
 

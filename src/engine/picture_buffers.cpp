@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "engine/surface_numbers.h"
 
 namespace aeolic {
 namespace {
@@ -21,6 +22,7 @@ void forEachList(Buffers& buffers, const Visit& visit)
     visit(buffers.flow);
     visit(buffers.lic);
     visit(buffers.scalar);
+    visit(buffers.surface);
 }
 
 }  // namespace
@@ -57,6 +59,7 @@ PictureBuffers buffersOf(Backend& backend, const View& view, const Scene& scene,
             out.lic[i] = lic.at(x, y);
         }
     });
+    out.surface = surfaceNumbers(scene, view, rows, seen);
     return out;
 }
 
@@ -65,13 +68,12 @@ PictureBuffers gathered(const PictureBuffers& mine, Communicator& ranks)
     PictureBuffers all;
     if (ranks.isRoot()) all.width = mine.width;
     std::vector<std::vector<Bytes>> ofRanks;
-    forEachList(
-        mine, [&](const std::vector<float>& list) { ofRanks.push_back(ranks.gather(std::as_bytes(std::span(list)))); });
+    forEachList(mine, [&](const auto& list) { ofRanks.push_back(ranks.gather(std::as_bytes(std::span(list)))); });
     std::size_t which = 0;
-    forEachList(all, [&](std::vector<float>& list) {
+    forEachList(all, [&](auto& list) {
         for (const Bytes& bytes : ofRanks[which]) {
             const std::size_t before = list.size();
-            list.resize(before + bytes.size() / sizeof(float));
+            list.resize(before + bytes.size() / sizeof list[0]);
             if (!bytes.empty()) std::memcpy(list.data() + before, bytes.data(), bytes.size());
         }
         ++which;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -101,6 +102,66 @@ TEST(PictureBuffers, AreThoseOfAnyRanks)
             EXPECT_TRUE(sameNumbers(all.flow, alone.flow));
             EXPECT_TRUE(sameNumbers(all.lic, alone.lic));
             EXPECT_TRUE(sameNumbers(all.scalar, alone.scalar));
+            EXPECT_EQ(all.surface, alone.surface);
+        });
+    }
+}
+
+/// Two bodies that run through each other, one of them twice, and one inside that nobody sees.
+SceneDescription bodies(BackendChoice backend)
+{
+    SceneDescription scene = picturesOf(backend);
+    for (const char* spec : {"sphere:2000", "torus:3000", "sphere:2000", "sphere:20"}) {
+        SurfaceItem item;
+        item.spec = spec;
+        scene.surfaces.push_back(item);
+    }
+    scene.camera.azimuth = 40;
+    scene.camera.zoom = 1.4;
+    return scene;
+}
+
+TEST(PictureBuffers, TellWhichSurfaceThatIs)
+{
+    Renderer renderer(bodies(BackendChoice::cpu));
+    const PictureBuffers all = renderer.buffers();
+    ASSERT_EQ(all.surface.size(), 6300u);
+    std::array<int, 4> count{};
+    int compared = 0, other = 0;
+    for (std::size_t i = 0; i < 6300; ++i) {
+        ASSERT_EQ(all.surface[i] == -1, isUntold(all.depth[i])) << i;
+        if (all.surface[i] < 0) continue;
+        ASSERT_LT(all.surface[i], 4);
+        ++count[std::size_t(all.surface[i])];
+        const auto place = i % 5 == 0 ? renderer.pick(int(i % 90), int(i / 90)) : std::nullopt;
+        if (!place) continue;
+        ++compared;
+        other += place->surface != (all.surface[i] == 1 ? "torus:3000" : "sphere:2000");
+    }
+    EXPECT_GT(count[0], 300);
+    EXPECT_GT(count[1], 300);
+    EXPECT_EQ(count[2], 0) << "the first in the same place shows";
+    EXPECT_EQ(count[3], 0);
+    EXPECT_GT(compared, 200);
+    EXPECT_LE(other, 2) << "the line where they meet lies between pixels";
+    renderer.setShown({false, true, true, true});
+    const PictureBuffers without = renderer.buffers();
+    EXPECT_EQ(std::count(without.surface.begin(), without.surface.end(), 0), 0);
+    EXPECT_EQ(std::count(without.surface.begin(), without.surface.end(), 2), count[0]);
+}
+
+TEST(PictureBuffers, TellSurfacesFromWithinAndByAnyRanks)
+{
+    SceneDescription scene = bodies(BackendChoice::cpu);
+    scene.camera.zoom = 30;  // Triangles reach behind the eye.
+    for (const double zoom : {1.4, 30.0}) {
+        scene.camera.zoom = zoom;
+        const PictureBuffers alone = Renderer(scene).buffers();
+        for (std::size_t i = 0; i < 6300; ++i) ASSERT_EQ(alone.surface[i] == -1, isUntold(alone.depth[i])) << zoom;
+        runRanks(3, [&](Communicator& group) {
+            Renderer renderer(scene, std::shared_ptr<Communicator>(&group, [](Communicator*) {}));
+            const PictureBuffers all = renderer.buffers();
+            EXPECT_TRUE(!group.isRoot() || all.surface == alone.surface) << zoom;
         });
     }
 }

@@ -31,8 +31,8 @@ std::string_view loopFile(std::string_view name)
 std::string playerScript()
 {
     std::string script;
-    for (const char* name : {"picture/cycle.js", "picture/cycle_gpu.js", "picture/cycle_painter.js",
-                             "picture/cycle_player.js"}) {
+    for (const char* name :
+         {"picture/cycle.js", "picture/cycle_gpu.js", "picture/cycle_painter.js", "picture/cycle_player.js"}) {
         std::istringstream lines{std::string(loopFile(name))};
         for (std::string line; std::getline(lines, line);)
             if (!line.starts_with("import ")) script += line + '\n';

@@ -32,6 +32,7 @@ def test_buffers_of_all_pixels():
     seen = renderer.buffers()
     assert seen.depth.shape == seen.lic.shape == seen.scalar.shape == seen.covered.shape == (60, 80)
     assert seen.normal.shape == (60, 80, 3) and seen.flow.shape == (60, 80, 2)
+    assert seen.surface.dtype == numpy.int32 and (seen.surface == numpy.where(seen.covered, 0, -1)).all()
     assert seen.covered[30, 40] and not seen.covered[0, 0] and numpy.isnan(seen.depth[0, 0])
     for x, y in ((30, 20), (50, 40)):
         place = renderer.pick(x, y)
