@@ -85,6 +85,7 @@ class PictureBuffers(NamedTuple):
     flow: numpy.ndarray
     lic: numpy.ndarray
     scalar: numpy.ndarray | None
+    surface: numpy.ndarray
     @property
     def covered(self) -> numpy.ndarray: ...
 
