@@ -27,11 +27,10 @@ inline bool showsBefore(const RayHit& hit, std::uint64_t order, const RayHit& ot
     return hit.isFront != other.isFront ? hit.isFront : order < otherOrder;
 }
 
-/// Where a line of sight meets a triangle (Möller and Trumbore 1997). `slack`: corners may have weights so far below 0,
-/// so that neighbours leave no gap.
-inline std::optional<RayHit> meet(const Ray& ray, const std::array<glm::dvec3, 3>& corners,
-                                  const glm::dvec3& slack = glm::dvec3(1e-9))
+/// Where a line of sight meets a triangle (Möller and Trumbore 1997).
+inline std::optional<RayHit> meet(const Ray& ray, const std::array<glm::dvec3, 3>& corners)
 {
+    constexpr double kSlack = 1e-9;  // Of the corners' weights: neighbours leave no gap.
     const glm::dvec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
     const glm::dvec3 across = glm::cross(ray.direction, ac);
     const double determinant = glm::dot(ab, across);
@@ -40,7 +39,7 @@ inline std::optional<RayHit> meet(const Ray& ray, const std::array<glm::dvec3, 3
     const double b = glm::dot(from, across) / determinant;
     const glm::dvec3 turned = glm::cross(from, ab);
     const double c = glm::dot(ray.direction, turned) / determinant;
-    if (!(b >= -slack.y && c >= -slack.z && 1 - b - c >= -slack.x)) return std::nullopt;
+    if (!(b >= -kSlack && c >= -kSlack && b + c <= 1 + kSlack)) return std::nullopt;
     return RayHit{glm::dot(ac, turned) / determinant, determinant > 0, {1 - b - c, b, c}};
 }
 

@@ -1,10 +1,10 @@
 // Plays streaks that flow, where the browser has no GPU. Mixing all pictures of the cycle is slow there. So some pictures
 // between them are worked out once, a few rows at each step, and the screen shows a mixture of the two nearest that are
-// there. Three for each picture of the cycle leave less than 0.01 of a wave's height to the polynomial.
+// there. With three for each picture of the cycle a mixture is off by less than 0.01 of a wave's height.
 
 import {around, cycleWeights, flowingBoxes} from './cycle.js';
 
-const MOST_PARTS = 3, MOST_BYTES = 256 << 20;
+const MOST_PARTS = 3, MOST_BYTES = 256 << 20;  // Of all together, where more than the cycle's own pictures are made.
 const WORK_MS = 6;  // For each picture on the screen.
 
 /// Draws on a canvas that lies over the first picture, as GpuPlayer does.
@@ -15,7 +15,8 @@ export class CyclePainter {
   #pictures = [];
   #boxes = [];
   #slots = [];   // Canvases, evenly spread over the cycle; null: not there yet.
-  #work = null;  // {slot, image, row}: what is worked out now, from `row` of `bounds` on.
+  #canGoOn = true;  // There was room for the last one.
+  #work = null;     // {slot, image, row}: what is worked out now, from `row` of `bounds` on.
 
   constructor(canvas) {
     this.#canvas = canvas;
@@ -41,9 +42,12 @@ export class CyclePainter {
     return this.#boxes;
   }
 
+  /// Lets go of the pictures at once: browsers clear up canvases late.
   clear() {
+    for (const slot of this.#slots) if (slot) slot.width = slot.height = 0;
     this.#pictures = this.#boxes = this.#slots = [];
     this.#work = null;
+    this.#canGoOn = true;
   }
 
   /// Draws the picture at a phase in turns.
@@ -66,12 +70,15 @@ export class CyclePainter {
 
   #emptySlot() {
     const canvas = Object.assign(document.createElement('canvas'), {width: this.#canvas.width, height: this.#canvas.height});
-    return {canvas, context: canvas.getContext('2d')};
+    const context = canvas.getContext('2d');
+    if (!context) throw new Error('the browser has no memory for the pictures');
+    return {canvas, context};
   }
 
   // Goes on with the next picture that is missing, from `slot` on.
   #workOn(slot) {
     const count = this.#slots.length;
+    if (!this.#canGoOn) return;
     if (!this.#work) {
       let missing = slot;
       while (this.#slots[missing]) if ((missing = (missing + 1) % count) === slot) return;
@@ -81,10 +88,15 @@ export class CyclePainter {
     const weights = cycleWeights(this.#work.slot / count, this.#pictures.length);
     do this.#mixRow(weights, this.#work.row++, image); while (this.#work.row < image.height && performance.now() < endMs);
     if (this.#work.row < image.height) return;
-    const {canvas, context} = this.#emptySlot();
-    context.putImageData(image, 0, 0);
-    this.#slots[this.#work.slot] = canvas;
+    const {slot: done} = this.#work;
     this.#work = null;
+    try {
+      const {canvas, context} = this.#emptySlot();
+      context.putImageData(image, 0, 0);
+      this.#slots[done] = canvas;
+    } catch {
+      this.#canGoOn = false;  // Those that are there do, too.
+    }
   }
 
   #mixRow(weights, row, {data, width}) {

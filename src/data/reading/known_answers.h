@@ -8,9 +8,9 @@
 
 namespace aeolic {
 
-/// What readers have answered this thread (file_questions.h), as long as the object lives: nothing is asked twice. The
-/// ranks of a host exchange it, so that one of them asks for all. Refusals are not kept. Scopes may lie within each
-/// other; the innermost one counts.
+/// What readers have answered this thread (file_questions.h), as long as the object lives. This thread does not
+/// ask the same again, unless it was refused. The ranks of a host exchange it, so that one of them asks for all. Scopes
+/// may lie within each other; the innermost one counts.
 class KnownAnswers {
 public:
     KnownAnswers();

@@ -246,8 +246,8 @@ HWY_INLINE void addUnseen(const Palette& palette, const UnseenSamples& samples, 
     }
 }
 
-// Prefetches what candidates are looked up in, in the row below a pixel. Mostly those above were asked for before: of
-// the pixel above.
+// Prefetches what candidates are looked up in, in the row below a pixel. The rows above were mostly prefetched
+// already, for the pixel above.
 HWY_INLINE void prefetchBelow(const EdgePixels& pixels, std::uint32_t number, const GBuffer& buffer,
                               const ShownRows& shown)
 {

@@ -38,9 +38,9 @@ HWY_INLINE hn::Vec<D> perPart(D d, hn::Vec<D> perPixel)
 // A batch's edge functions on the pixels of a tile.
 struct SampleReach {
     HWY_ALIGN std::int32_t atFirst[3][Batch::kMost];  // At the centre of the tile's first pixel.
-    // Where they are largest among a pixel's samples, in whole multiples of kSubpixels, rounded down: so they keep
-    // their sign. At the first pixel, and per pixel to the right and downwards. As all values on the tile, these are
-    // whole numbers below 2^23, which floats hold exactly.
+    // Where they are largest among a pixel's samples, in multiples of kSubpixels: at the first pixel, and per pixel to
+    // the right and downwards. The values differ from pixel to pixel by such multiples, so rounding down keeps their
+    // sign. All on the tile are whole numbers below 2^23, which floats hold exactly.
     HWY_ALIGN float most[3][Batch::kMost], perRight[3][Batch::kMost], perDown[3][Batch::kMost];
 
     HWY_INLINE SampleReach(const Batch& batch, const Extent& tile)
