@@ -48,13 +48,16 @@ std::vector<std::string> idleOptions(const SceneDescription& scene, const std::m
         finder.addSwitch("--time-stamp", scene.shading.timeStamp, "on data that do not change in time");
     }
     if (scene.lic.method == LicMethod::hierarchical) finder.add({"--integrator"}, "without --lic direct");
-    if (scene.lic.flow == FlowMotion::loop)
+    if (scene.lic.method == LicMethod::none) {
+        finder.add({"--style", "--kernel", "--streaks", "--phase", "--magnitude", "--noise-scale"}, "with --lic none");
+        finder.addSwitch("--flow", scene.lic.flow == FlowMotion::loop, "with --lic none");
+    } else if (scene.lic.flow == FlowMotion::loop) {
         finder.add({"--kernel"}, "with --flow loop");
-    else if (scene.lic.style == Style::oriented)
+    } else if (scene.lic.style == Style::oriented) {
         finder.add({"--kernel", "--phase"}, "with --style oriented");
-    else if (scene.lic.kernel != Kernel::hann)
+    } else if (scene.lic.kernel != Kernel::hann) {
         finder.add({"--phase"}, "without --kernel hann");
-    if (scene.lic.method == LicMethod::none) finder.add({"--magnitude"}, "with --lic none");
+    }
     if (scene.lic.magnitude == Magnitude::length) finder.add({"--normalize"}, "with --magnitude length");
     const bool hasBar = hasColors(scene) || scene.lic.magnitude != Magnitude::none;
     if (!hasBar) finder.addSwitch("--scalar-bar", scene.shading.scalarBar, "without --color-by");

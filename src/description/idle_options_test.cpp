@@ -28,6 +28,8 @@ TEST(IdleOptions, ColoursWithoutAnArray)
     EXPECT_EQ(idle({{"--scalar-bar", "on"}, {"--magnitude", "contrast"}}), Lines{});
     EXPECT_EQ(idle({{"--magnitude", "contrast"}, {"--lic", "none"}}),
               Lines{"--magnitude has no effect with --lic none"});
+    EXPECT_EQ(idle({{"--flow", "loop"}, {"--lic", "none"}}), Lines{"--flow has no effect with --lic none"});
+    EXPECT_EQ(idle({{"--flow", "off"}, {"--lic", "none"}}), Lines{});
     EXPECT_EQ(idle({{"--normalize", "off"}, {"--magnitude", "length"}}),
               Lines{"--normalize has no effect with --magnitude length"});
     EXPECT_EQ(idle({{"--legend", "p [Pa]"}, {"--color-by", "p"}}), Lines{});
