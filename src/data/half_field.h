@@ -8,7 +8,8 @@
 
 namespace aeolic {
 
-/// The same field in half precision. `field`: floats. The tally counts this part's samples that halves do not hold.
+/// A copy of `field`, whose samples are floats, in half precision. `tallies` gets one more entry: how many
+/// samples of this part of the field are too large for that.
 /// Throws InputError where there is no memory for it. Parallel.
 std::shared_ptr<const GridField> halfField(const std::shared_ptr<const GridField>& field, std::vector<Tally>& tallies);
 

@@ -60,7 +60,7 @@ public:
     /// Global pixels, [count()], and then anything for a vector.
     const std::int32_t* x() const { return x_.data(); }
     const std::int32_t* y() const { return y_.data(); }
-    /// The same from the tile's first pixel on.
+    /// Columns and rows of these pixels, counted from the tile's first pixel.
     const float* right() const { return right_.data(); }
     const float* down() const { return down_.data(); }
 
