@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "engine/surface_numbers.h"
+#include "render/cpu/project/shown_surfaces.h"
 
 namespace aeolic {
 namespace {
@@ -39,6 +39,8 @@ PictureBuffers buffersOf(Backend& backend, const View& view, const Scene& scene,
     out.lic.assign(pixels, kUntold);
     if (scene.hasScalar) out.scalar.assign(pixels, kUntold);
     if (pixels == 0) return out;
+    const bool several = !scene.surface.surfaceOf.empty();
+    out.surface = several ? cpu::shownSurfaces(scene, view, rows) : std::vector<std::int32_t>(pixels, 0);
     SeenSurface seen;
     backend.see(rows, seen);
     const Image<float>& lic = backend.probe().lic();
@@ -47,7 +49,10 @@ PictureBuffers buffersOf(Backend& backend, const View& view, const Scene& scene,
         const int y = rows.y0 + int(row);
         std::size_t i = row * std::size_t(rows.width());
         for (int x = rows.x0; x < rows.x1; ++x, ++i) {
-            if (!seen.covered(x, y)) continue;
+            if (!seen.covered(x, y)) {
+                out.surface[i] = -1;
+                continue;
+            }
             out.depth[i] = float(seen.depth(view, x, y));
             const glm::vec3 normal = seen.normal(view, x, y);
             for (int c = 0; c < 3; ++c) out.normal[3 * i + std::size_t(c)] = normal[c];
@@ -59,7 +64,6 @@ PictureBuffers buffersOf(Backend& backend, const View& view, const Scene& scene,
             out.lic[i] = lic.at(x, y);
         }
     });
-    out.surface = surfaceNumbers(scene, view, rows, seen);
     return out;
 }
 

@@ -7,17 +7,43 @@
 
 #include "base/parallel.h"
 #include "engine/place_values.h"
-#include "engine/ray_hit.h"
 
 namespace aeolic {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
+constexpr double kEdge = 1e-9;       // So far outside of a triangle a ray still meets it: neighbours leave no gap.
+constexpr double kSamePlace = 1e-6;  // Of the depth: faces that are as near as that are in the same place.
 
-struct Hit : RayHit {
+/// A line of sight. A place on it is eye + depth * direction.
+struct Ray {
+    glm::dvec3 eye, direction;
+};
+
+struct Hit {
+    double depth = std::numeric_limits<double>::infinity();
+    bool isFront = false;  ///< The face is turned to the viewer.
     std::uint64_t order = 0;
     SurfacePlace place;
 };
+
+std::optional<Hit> meet(const Ray& ray, const std::array<glm::dvec3, 3>& corners)
+{
+    const glm::dvec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+    const glm::dvec3 across = glm::cross(ray.direction, ac);
+    const double determinant = glm::dot(ab, across);
+    if (determinant == 0) return std::nullopt;  // Seen from its edge.
+    const glm::dvec3 from = ray.eye - corners[0];
+    const double b = glm::dot(from, across) / determinant;
+    const glm::dvec3 turned = glm::cross(from, ab);
+    const double c = glm::dot(ray.direction, turned) / determinant;
+    if (!(b >= -kEdge && c >= -kEdge && b + c <= 1 + kEdge)) return std::nullopt;
+    Hit hit;
+    hit.depth = glm::dot(ac, turned) / determinant;
+    hit.isFront = determinant > 0;
+    hit.place.weight = {1 - b - c, b, c};
+    return hit;
+}
 
 std::optional<Hit> nearestHit(const Scene& scene, const Camera& camera, const Ray& ray)
 {
@@ -28,9 +54,11 @@ std::optional<Hit> nearestHit(const Scene& scene, const Camera& camera, const Ra
         std::vector<Hit> own;
         for (std::size_t i = begin; i < end; ++i) {
             const auto& t = mesh.triangles[i];
-            const auto hit = meet(ray, {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
+            auto hit = meet(ray, {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
             if (!hit || hit->depth < camera.nearDepth || (scene.frontFacesOnly && !hit->isFront)) continue;
-            own.push_back({*hit, mesh.order.empty() ? i : mesh.order[i], {std::uint32_t(i), hit->weight}});
+            hit->place.triangle = std::uint32_t(i);
+            hit->order = mesh.order.empty() ? i : mesh.order[i];
+            own.push_back(*hit);
         }
         const std::scoped_lock lock(guard);
         hits.insert(hits.end(), own.begin(), own.end());
@@ -40,7 +68,8 @@ std::optional<Hit> nearestHit(const Scene& scene, const Camera& camera, const Ra
     std::optional<Hit> shown;
     for (const Hit& hit : hits) {
         if (hit.depth > nearest * (1 + kSamePlace)) continue;
-        if (!shown || showsBefore(hit, hit.order, *shown, shown->order)) shown = hit;
+        const bool isBetter = !shown || (hit.isFront != shown->isFront ? hit.isFront : hit.order < shown->order);
+        if (isBetter) shown = hit;
     }
     return shown;
 }
