@@ -62,38 +62,28 @@ HWY_INLINE void prefetchShown(const SampleKeys& drawn, std::size_t at, std::size
     });
 }
 
-// Where samples lie beside their pixel's centre, in pixels. They repeat, so that any vector of them can be loaded.
-struct SamplesBeside {
-    static constexpr std::size_t kMost = antialias::kSamples + hn::MaxLanes(DF());
-    float right[kMost], down[kMost];
-
-    SamplesBeside()
-    {
-        for (std::size_t i = 0; i < kMost; ++i) {
-            right[i] = float(antialias::kRight[i % antialias::kSamples]) * (1.0f / float(antialias::kParts));
-            down[i] = float(antialias::kDown[i % antialias::kSamples]) * (1.0f / float(antialias::kParts));
-        }
-    }
-};
-
 void resolveAll(const SceneArrays& arrays, const View& view, EdgeSamples& samples)
 {
     const DF d;
     const EdgePixels& pixels = samples.drawn.pixels();
     constexpr std::size_t kSamples = antialias::kSamples;
     const std::size_t count = pixels.count() * kSamples;
-    const SamplesBeside beside;
     const std::size_t shown = arrays.corners.empty() ? 0 : count;  // A rank may have no triangles.
     for (std::size_t at = 0; at < count; at += hn::Lanes(d)) {
-        const auto place = [&](const std::int32_t* pixel, const float* parts) AEOLIC_INLINE {
+        const auto place = [&](const std::int32_t* pixel, const std::int32_t* parts) AEOLIC_INLINE {
+            HWY_ALIGN std::int32_t part[hn::MaxLanes(d)];
+            for (std::size_t i = 0; i < hn::Lanes(d); ++i) part[i] = parts[(at + i) % kSamples];
             // The widest vectors hold the samples of two pixels, the second of which may be one too many.
             VI both = hn::Set(DI(), pixel[at / kSamples]);
             if constexpr (hn::MaxLanes(d) > kSamples)
                 both = hn::IfThenElse(hn::FirstN(DI(), kSamples), both, hn::Set(DI(), pixel[at / kSamples + 1]));
-            return hn::Add(hn::Add(hn::ConvertTo(d, both), hn::Set(d, 0.5f)), hn::LoadU(d, parts + at % kSamples));
+            return hn::Add(
+                hn::Add(hn::ConvertTo(d, both), hn::Set(d, 0.5f)),
+                hn::Mul(hn::ConvertTo(d, hn::Load(DI(), part)), hn::Set(d, 1.0f / float(antialias::kParts))));
         };
         prefetchShown(samples.drawn, at + hn::Lanes(d), shown, arrays);
-        resolveSome(at, place(pixels.x(), beside.right), place(pixels.y(), beside.down), arrays, view, samples);
+        resolveSome(at, place(pixels.x(), antialias::kRight), place(pixels.y(), antialias::kDown), arrays, view,
+                    samples);
     }
 }
 
