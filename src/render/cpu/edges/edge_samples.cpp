@@ -19,18 +19,17 @@ HWY_INLINE void resolveSome(std::size_t at, VF x, VF y, const SceneArrays& array
     const DF d;
     const DI di;
     const DU du;
-    hn::Vec<DU> complement, depthBits;
-    hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(samples.drawn.keys() + at), complement, depthBits);
-    const auto hasKey = hn::Ne(depthBits, hn::Zero(du));
-    if (hn::AllFalse(du, hasKey)) {
+    const auto hasKey = hn::Ne(hn::LoadU(d, samples.drawn.depths() + at), hn::Zero(d));
+    if (hn::AllFalse(d, hasKey)) {
         hn::StoreU(hn::Zero(d), d, &samples.invDepth[at]);
         return;
     }
     const VF inverseFocal = hn::Set(d, 1.0f / view.focalPx);
     const VF xs = hn::Mul(hn::Sub(x, hn::Set(d, view.centerX)), inverseFocal),
              ys = hn::Mul(hn::Sub(y, hn::Set(d, view.centerY)), inverseFocal);
-    const VI triangle = hn::BitCast(di, hn::IfThenElseZero(hasKey, hn::Not(complement)));
-    const Hit hit = intersect(triangle, hn::RebindMask(d, hasKey), xs, ys, arrays, view);
+    const VI complement = hn::BitCast(di, hn::LoadU(du, samples.drawn.complements() + at));
+    const VI triangle = hn::IfThenElseZero(hn::RebindMask(di, hasKey), hn::Not(complement));
+    const Hit hit = intersect(triangle, hasKey, xs, ys, arrays, view);
     const VF depth = hn::Max(dot(hit.fromEye, broadcast(d, view.forward)), hn::Set(d, float(view.nearDepth)));
     const Vec3v<VF> normal = shadingNormal(hit);
     const DepthGradient gradient = depthGradient(hit, view);
@@ -41,15 +40,15 @@ HWY_INLINE void resolveSome(std::size_t at, VF x, VF y, const SceneArrays& array
     hn::StoreU(lightOn(normal, facingOf(normal, hit), broadcast(d, view.softLight)), d, &samples.light[at]);
 }
 
-// Prefetches the data of the triangles that samples from `at` on show, as far as there are samples. Without branches,
-// which would be foreseen badly: samples of nothing ask for the first triangle.
+// Prefetches the data of the triangles that every other sample from `at` on shows, as far as there are samples: those
+// beside mostly show the same ones. Without branches, which would be foreseen badly: samples of nothing ask for the
+// first triangle.
 HWY_INLINE void prefetchShown(const SampleKeys& drawn, std::size_t at, std::size_t count, const SceneArrays& arrays)
 {
     const std::size_t lanes = hn::Lanes(DF());
     const auto forEach = [&](std::size_t begin, const auto& ask) AEOLIC_INLINE {
-        for (std::size_t i = begin; i < std::min(begin + lanes, count); ++i) {
-            const std::uint64_t key = drawn.keys()[i];
-            ask(key == 0 ? 0 : TileKeys::triangle(key));
+        for (std::size_t i = begin; i < std::min(begin + lanes, count); i += 2) {
+            ask(drawn.depths()[i] == 0 ? 0 : ~drawn.complements()[i]);
         }
     };
     forEach(at + lanes, [&](std::uint32_t triangle) AEOLIC_INLINE { __builtin_prefetch(&arrays.corners[triangle]); });

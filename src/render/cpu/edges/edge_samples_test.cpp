@@ -28,7 +28,8 @@ TEST(EdgeSamples, HaveTheDepthWhereTheyLie)
     testkit::forEachSimdTarget([&] {
         EdgeSamples samples;
         samples.drawn.clear(pixels);
-        std::fill_n(samples.drawn.keys(), pixels.count() * antialias::kSamples, ~std::uint64_t{0});
+        std::fill_n(samples.drawn.depths(), pixels.count() * antialias::kSamples, 1.0f);
+        std::fill_n(samples.drawn.complements(), pixels.count() * antialias::kSamples, ~std::uint32_t{0});
         resolveSamples(arrays, view, samples);
         for (std::size_t i = 0; i < pixels.count(); ++i) {
             const auto at = [&](int s) { return i * antialias::kSamples + std::size_t(s); };

@@ -8,7 +8,7 @@ namespace {
 EdgeSample sampleOf(const EdgeSamples& samples, std::size_t at, const std::vector<std::uint64_t>& order)
 {
     EdgeSample sample;
-    const std::uint64_t key = samples.drawn.keys()[at];
+    const std::uint64_t key = samples.drawn.key(at);
     if (key == 0) return sample;
     sample.order = order[TileKeys::triangle(key)];
     sample.depth = std::uint32_t(key >> 32);

@@ -14,10 +14,6 @@ namespace {
 constexpr std::size_t kMaxChunks = 64;  // Enough to keep many cores busy, few enough that per-tile counts stay small.
 constexpr std::size_t kMinChunkTriangles = 2048;
 
-/// Samples lie less than a pixel beside a pixel's centre: so many pixels around a box hold all that it may cover.
-constexpr int kSampleRing = 1;
-static_assert(kSampleMargin < kSubpixels * kSampleRing);
-
 /// Appends the boxes that have a marked pixel. The quick answers come first, for some boxes at once and without a jump:
 /// no processor guesses them.
 class QuickLook {
@@ -106,8 +102,9 @@ void FoundTriangles::findMarked(std::size_t chunk, const MarkedBoxes& marked, co
 {
     QuickLook look(marked, out);
     for (const TriangleBox& box : chunks_[chunk].boxes) {
-        look.at({box.id, std::max(box.x0 - kSampleRing, scissor.x0), std::max(box.y0 - kSampleRing, scissor.y0),
-                 std::min(box.x1 + kSampleRing, scissor.x1), std::min(box.y1 + kSampleRing, scissor.y1), box.facing});
+        const TriangleBox wide = box.withBeside();
+        look.at({box.id, std::max(wide.x0, scissor.x0), std::max(wide.y0, scissor.y0), std::min(wide.x1, scissor.x1),
+                 std::min(wide.y1, scissor.y1), box.facing});
     }
     for (std::size_t g = firstGroup(chunk); g < firstGroup(chunk + 1); ++g)
         for (std::uint64_t left = between_[g]; left != 0; left &= left - 1) {

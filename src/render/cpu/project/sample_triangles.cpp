@@ -1,7 +1,7 @@
 #include "render/cpu/project/sample_triangles.h"
 
 #include <algorithm>
-#include <bit>
+#include <tuple>
 
 #include "render/cpu/project/raster/triangle_rows.h"
 
@@ -25,8 +25,6 @@ HWY_INLINE void prefetchCorners(const SurfaceMesh& mesh, const ScreenVertices& s
     for (std::size_t i = 0; i < std::min(lanes, ids.size()); ++i)
         for (const std::uint32_t point : mesh.triangles[ids[i]]) __builtin_prefetch(&screen[point]);
 }
-
-using DS = hn::CappedTag<double, antialias::kSamples>;  // Some of a pixel's samples.
 
 // An edge function per part of a pixel, of one per pixel.
 template <class D>
@@ -99,55 +97,63 @@ HWY_INLINE std::size_t pixelsNear(const Batch& batch, const SampleReach& reach, 
 }
 
 // Draws one of a batch into the samples of pixels. The same arithmetic as drawSmall().
-HWY_INLINE void sampleSmall(const Batch& batch, const SampleReach& reach, std::size_t lane, std::uint64_t farKey,
+HWY_INLINE void sampleSmall(const Batch& batch, const SampleReach& reach, std::size_t lane, float farthest,
                             const std::int32_t* numbers, std::size_t count, SampleKeys& out)
 {
-    const DS d;
-    const hn::RebindToSigned<DS> di;
-    const hn::Rebind<float, DS> df;
-    const hn::Rebind<std::int32_t, DS> di32;
-    constexpr int kVectors = antialias::kSamples / int(hn::MaxLanes(d)), kLanes = int(hn::MaxLanes(d));
-    // Keys are compared as signed numbers, which processors are better at: no depth is negative.
-    const auto notId = hn::Set(di, std::int64_t(std::uint32_t(~batch.id[lane]))),
-               farthest = hn::Set(di, std::int64_t(farKey));
-    const auto lowest = hn::Set(df, batch.lowest[lane]), highest = hn::Set(df, batch.highest[lane]),
-               bias = hn::Set(df, batch.bias[lane]);
-    const auto depth = hn::Set(d, double(batch.depth[lane])), depthX = hn::Set(d, batch.depthX[lane]),
-               depthY = hn::Set(d, batch.depthY[lane]);
-    hn::Vec<decltype(di32)> beside[kVectors][3];  // What samples have beside the pixel's centre.
+    const hn::CappedTag<float, antialias::kSamples> d;  // Some of a pixel's samples.
+    const hn::RebindToSigned<decltype(d)> di;
+    const hn::RebindToUnsigned<decltype(d)> du;
+    const hn::Half<decltype(d)> half;
+    const hn::Rebind<double, decltype(half)> d64;
+    const hn::Rebind<std::int32_t, decltype(half)> halfInt;
+    constexpr int kLanes = int(hn::MaxLanes(d)), kVectors = antialias::kSamples / kLanes;
+    const auto complement = hn::Set(du, ~batch.id[lane]);
+    const auto lowest = hn::Set(d, batch.lowest[lane]), highest = hn::Set(d, batch.highest[lane]),
+               bias = hn::Set(d, batch.bias[lane]), farDepth = hn::Set(d, farthest);
+    const auto depth = hn::Set(d64, double(batch.depth[lane])), depthX = hn::Set(d64, batch.depthX[lane]),
+               depthY = hn::Set(d64, batch.depthY[lane]);
+    hn::Vec<decltype(di)> beside[kVectors][3];  // What samples have beside the pixel's centre.
     for (int v = 0; v < kVectors; ++v) {
-        const auto right = hn::LoadU(di32, antialias::kRight + v * kLanes),
-                   down = hn::LoadU(di32, antialias::kDown + v * kLanes);
+        const auto right = hn::LoadU(di, antialias::kRight + v * kLanes),
+                   down = hn::LoadU(di, antialias::kDown + v * kLanes);
         for (int k = 0; k < 3; ++k)
-            beside[v][k] = hn::Add(hn::Mul(perPart(di32, hn::Set(di32, batch.edgeX[k][lane])), right),
-                                   hn::Mul(perPart(di32, hn::Set(di32, batch.edgeY[k][lane])), down));
+            beside[v][k] = hn::Add(hn::Mul(perPart(di, hn::Set(di, batch.edgeX[k][lane])), right),
+                                   hn::Mul(perPart(di, hn::Set(di, batch.edgeY[k][lane])), down));
     }
     const Extent& tile = out.pixels().tile();
     for (std::size_t i = 0; i < count; ++i) {
         const auto number = std::size_t(numbers[i]);
         const int x = out.pixels().x()[number], y = out.pixels().y()[number];
         const auto centre = [&](int k) AEOLIC_INLINE {
-            return hn::Set(di32, reach.atFirst[k][lane] + (x - tile.x0) * batch.edgeX[k][lane] +
-                                     (y - tile.y0) * batch.edgeY[k][lane]);
+            return hn::Set(di, reach.atFirst[k][lane] + (x - tile.x0) * batch.edgeX[k][lane] +
+                                   (y - tile.y0) * batch.edgeY[k][lane]);
         };
         const auto e0 = centre(0), e1 = centre(1), e2 = centre(2);
-        const auto centreX = hn::Set(d, double(batch.fromAX[lane] + (x - batch.x0[lane]) * kSubpixels)),
-                   centreY = hn::Set(d, double(batch.fromAY[lane] + (y - batch.y0[lane]) * kSubpixels));
+        const auto centreX = hn::Set(d64, double(batch.fromAX[lane] + (x - batch.x0[lane]) * kSubpixels)),
+                   centreY = hn::Set(d64, double(batch.fromAY[lane] + (y - batch.y0[lane]) * kSubpixels));
         for (int v = 0; v < kVectors; ++v) {
             const auto signs =
                 hn::Or(hn::Add(e0, beside[v][0]), hn::Or(hn::Add(e1, beside[v][1]), hn::Add(e2, beside[v][2])));
-            const auto whole = [&](const std::int32_t* parts) AEOLIC_INLINE {
-                return hn::Mul(hn::PromoteTo(d, hn::LoadU(di32, parts + v * kLanes)),
-                               hn::Set(d, double(kSubpixelsPerPart)));
+            const auto planeFrom = [&](int first) AEOLIC_INLINE {
+                const auto whole = [&](const std::int32_t* parts) AEOLIC_INLINE {
+                    return hn::Mul(hn::PromoteTo(d64, hn::LoadU(halfInt, parts + first)),
+                                   hn::Set(d64, double(kSubpixelsPerPart)));
+                };
+                const auto fromAX = hn::Add(whole(antialias::kRight), centreX),
+                           fromAY = hn::Add(whole(antialias::kDown), centreY);
+                return hn::DemoteTo(half, hn::Add(hn::Mul(fromAX, depthX), hn::Add(depth, hn::Mul(depthY, fromAY))));
             };
-            const auto fromAX = hn::Add(whole(antialias::kRight), centreX),
-                       fromAY = hn::Add(whole(antialias::kDown), centreY);
-            const auto plane = hn::Add(hn::Mul(fromAX, depthX), hn::Add(depth, hn::Mul(depthY, fromAY)));
-            const auto clamped = hn::Add(hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest), bias);
-            const auto key = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(di, hn::BitCast(di32, clamped))), notId);
-            const auto hidden = hn::Or(hn::Lt(hn::PromoteTo(di, signs), hn::Zero(di)), hn::Lt(key, farthest));
-            auto* at = reinterpret_cast<std::int64_t*>(out.keys()) + number * antialias::kSamples + v * kLanes;
-            hn::StoreU(hn::Max(hn::IfThenZeroElse(hidden, key), hn::LoadU(di, at)), di, at);
+            const auto plane = hn::Combine(d, planeFrom(v * kLanes + kLanes / 2), planeFrom(v * kLanes));
+            const auto clamped = hn::Add(hn::Min(hn::Max(plane, lowest), highest), bias);
+            const std::size_t at = number * antialias::kSamples + std::size_t(v * kLanes);
+            const auto shown = hn::LoadU(d, out.depths() + at);
+            const auto shownComplement = hn::LoadU(du, out.complements() + at);
+            const auto first = hn::And(hn::Eq(clamped, shown), hn::RebindMask(d, hn::Gt(complement, shownComplement)));
+            const auto hidden = hn::Or(hn::RebindMask(d, hn::Lt(signs, hn::Zero(di))), hn::Lt(clamped, farDepth));
+            const auto nearer = hn::AndNot(hidden, hn::Or(hn::Gt(clamped, shown), first));
+            hn::StoreU(hn::IfThenElse(nearer, clamped, shown), d, out.depths() + at);
+            hn::StoreU(hn::IfThenElse(hn::RebindMask(du, nearer), complement, shownComplement), du,
+                       out.complements() + at);
         }
     }
 }
@@ -156,7 +162,6 @@ void sampleAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<
                const DrawRule& rule, SampleKeys& out)
 {
     const std::size_t lanes = hn::Lanes(DI());
-    const std::uint64_t farKey = std::uint64_t(std::bit_cast<std::uint32_t>(rule.farInvDepth)) << 32;
     const EdgePixels& pixels = out.pixels();
     // All of a strip and a vector more.
     HWY_ALIGN std::int32_t numbers[EdgePixels::kColumns * TileKeys::kSize + Batch::kMost];
@@ -173,7 +178,7 @@ void sampleAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<
                 for (int strip = pixels.strip(batch.x0[i]); strip <= last; ++strip) {
                     const EdgePixels::Range range = pixels.range(strip, batch.y0[i], batch.y1[i]);
                     const std::size_t near = pixelsNear(batch, reach, i, range, out, numbers);
-                    if (near > 0) sampleSmall(batch, reach, i, farKey, numbers, near, out);
+                    if (near > 0) sampleSmall(batch, reach, i, rule.farInvDepth, numbers, near, out);
                 }
             } else if (batch.isLarge[i]) {
                 const auto& t = mesh.triangles[batch.id[i]];
@@ -197,18 +202,17 @@ HWY_EXPORT(sampleAll);
 void SampleKeys::clear(const EdgePixels& pixels)
 {
     pixels_ = &pixels;
-    keys_.assign(pixels.count() * std::size_t{antialias::kSamples} + EdgePixels::kPadding, 0);
+    const std::size_t samples = pixels.count() * std::size_t{antialias::kSamples} + EdgePixels::kPadding;
+    depths_.assign(samples, 0);
+    complements_.assign(samples, 0);
     farthest_.assign(pixels.count() + EdgePixels::kPadding, 0);
 }
 
 void SampleKeys::findFarthest()
 {
-    const std::uint64_t* key = keys();
-    for (std::size_t i = 0; i < pixels_->count(); ++i, key += antialias::kSamples) {
-        // Positive floats are in the order of their bits.
-        std::uint64_t least = key[0];
-        for (int s = 1; s < antialias::kSamples; ++s) least = std::min(least, key[s]);
-        farthest_[i] = std::bit_cast<float>(std::uint32_t(least >> 32));
+    for (std::size_t i = 0; i < pixels_->count(); ++i) {
+        const float* depth = depths() + i * antialias::kSamples;
+        farthest_[i] = *std::min_element(depth, depth + antialias::kSamples);
     }
 }
 
@@ -250,8 +254,10 @@ void sampleTriangle(const Corner& a, const Corner& b, const Corner& c, std::uint
             const double plane = fromAX * t->depthX + (t->depth + t->depthY * fromAY);
             const float depth = std::min(std::max(float(plane), t->lowest), t->highest) + t->bias;
             if (depth < t->farthest) continue;
-            std::uint64_t& key = out.keys()[number * antialias::kSamples + std::size_t(s)];
-            key = std::max(key, (std::uint64_t(std::bit_cast<std::uint32_t>(depth)) << 32) | t->notId);
+            const std::size_t at = number * antialias::kSamples + std::size_t(s);
+            if (std::tie(depth, t->notId) <= std::tie(out.depths()[at], out.complements()[at])) continue;
+            out.depths()[at] = depth;
+            out.complements()[at] = t->notId;
         }
     };
     for (int strip = pixels.strip(t->x0); strip <= pixels.strip(t->x1 - 1); ++strip) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,9 +20,16 @@ public:
     void clear(const EdgePixels& pixels);
 
     const EdgePixels& pixels() const { return *pixels_; }
-    /// [pixels().count()][kSamples], as TileKeys has them; then a vector of anything.
-    std::uint64_t* keys() { return keys_.data(); }
-    const std::uint64_t* keys() const { return keys_.data(); }
+    /// The two halves of keys as TileKeys has them, [pixels().count()][kSamples], then a vector of anything. A vector
+    /// of halves holds twice as many samples as one of keys.
+    float* depths() { return depths_.data(); }
+    const float* depths() const { return depths_.data(); }
+    std::uint32_t* complements() { return complements_.data(); }
+    const std::uint32_t* complements() const { return complements_.data(); }
+    std::uint64_t key(std::size_t at) const
+    {
+        return std::uint64_t{std::bit_cast<std::uint32_t>(depths_[at])} << 32 | complements_[at];
+    }
     /// Of each pixel: 1/depth that all of its samples show something as near as; 0 where one may show nothing.
     float* farthest() { return farthest_.data(); }
     /// Brings them up to the triangles drawn.
@@ -28,8 +37,8 @@ public:
 
 private:
     const EdgePixels* pixels_ = nullptr;
-    std::vector<std::uint64_t> keys_;
-    std::vector<float> farthest_;
+    std::vector<float> depths_, farthest_;
+    std::vector<std::uint32_t> complements_;
 };
 
 /// Draws triangles into samples by drawTriangle()'s rules. Local. Cost: 40 ns a triangle, and 10 ns for each edge pixel

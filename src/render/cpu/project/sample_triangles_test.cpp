@@ -107,7 +107,7 @@ void expectAsCentres(const Triangles& triangles, const SampleKeys& drawn, float 
             drawTriangle(c[0], c[1], c[2], id, kTile, DrawRule{farInvDepth}, nullptr, *centres);
         }
         for (std::size_t i = 0; i < pixels.count(); ++i)
-            ASSERT_EQ(drawn.keys()[i * antialias::kSamples + std::size_t(s)],
+            ASSERT_EQ(drawn.key(i * antialias::kSamples + std::size_t(s)),
                       centres->key[pixels.y()[i] - kTile.y0][pixels.x()[i] - kTile.x0])
                 << what << ", sample " << s << " at " << pixels.x()[i] << ' ' << pixels.y()[i];
     }
@@ -150,9 +150,9 @@ TEST(SampleTriangles, WhatIsHiddenIsLeftOut)
         drawn.findFarthest();
         std::size_t known = 0;
         for (std::size_t i = 0; i < pixels.count(); ++i) {
-            const std::uint64_t* keys = drawn.keys() + i * antialias::kSamples;
-            const auto least = std::uint32_t(*std::min_element(keys, keys + antialias::kSamples) >> 32);
-            ASSERT_EQ(drawn.farthest()[i], std::bit_cast<float>(least));
+            const float* depths = drawn.depths() + i * antialias::kSamples;
+            const float least = *std::min_element(depths, depths + antialias::kSamples);
+            ASSERT_EQ(drawn.farthest()[i], least);
             known += least > 0;
         }
         ASSERT_GT(known, pixels.count() / 2);
@@ -168,8 +168,8 @@ TEST(SampleTriangles, WhatIsHiddenIsLeftOut)
                 drawn.clear(pixels);
                 std::fill_n(drawn.farthest(), pixels.count(), nearer);
                 sampleTriangles(far.mesh, far.screen, std::vector<std::uint32_t>{0}, {}, drawn);
-                return std::any_of(drawn.keys(), drawn.keys() + pixels.count() * antialias::kSamples,
-                                   [](std::uint64_t key) { return key != 0; });
+                return std::any_of(drawn.depths(), drawn.depths() + pixels.count() * antialias::kSamples,
+                                   [](float depth) { return depth != 0; });
             };
             EXPECT_FALSE(shown(0.3f)) << side;
             EXPECT_TRUE(shown(0.2f)) << side;

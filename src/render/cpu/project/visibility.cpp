@@ -230,10 +230,11 @@ void Visibility::drawEdges(int tile, SampleKeys& out) const
             });
     };
     const std::uint32_t* list = &listStart_[2 * std::size_t(tile)];
-    drawList(list[0], list[1]);
-    if (list[1] == list[2]) return;
-    out.findFarthest();
-    drawList(list[1], list[2]);
+    constexpr std::uint32_t kOften = 200;  // Triangles; finding the depths costs as much as drawing some ten.
+    for (std::uint32_t at = list[0]; at < list[2]; at += kOften) {
+        if (at != list[0]) out.findFarthest();
+        drawList(at, std::min(at + kOften, list[2]));
+    }
 }
 
 }  // namespace aeolic::cpu

@@ -36,7 +36,16 @@ void transformVertices(const SceneArrays& arrays, const View& view, const Visibl
 struct TriangleBox {
     std::uint32_t id;
     std::int32_t x0, y0, x1, y1;  ///< Half-open, clipped to the scissor.
-    std::int32_t facing = 0;      ///< 1: its corners run clockwise on the image. A hint: thin ones may be wrong.
+    std::int16_t facing = 0;      ///< 1: its corners run clockwise on the image. A hint: thin ones may be wrong.
+    std::int16_t beside = 0;      ///< At which sides a pixel more is within the margin of setUpTriangles().
+
+    static constexpr int kLeft = 1, kTop = 2, kRight = 4, kBottom = 8;
+    /// With those pixels.
+    TriangleBox withBeside() const
+    {
+        const auto has = [&](int side) { return std::int32_t((beside & side) != 0); };
+        return {id, x0 - has(kLeft), y0 - has(kTop), x1 + has(kRight), y1 + has(kBottom), facing, beside};
+    }
 };
 
 /// What setUpTriangles() finds.

@@ -57,6 +57,7 @@ struct TriangleLanes {
     std::uint32_t first;    ///< Id of lane 0.
     VI x[3], y[3];          ///< Corners, sub-pixels.
     VI x0, y0, x1, y1;      ///< Pixel bounds, see TriangleBox.
+    VI beside;              ///< As TriangleBox has it.
     hn::Mask<DI> mayCover;  ///< Others need clipping, cover no pixel centre of the scissor, or came before.
     hn::Mask<DI> between;   ///< They cover no centre, but may cover something within the margin of one.
 };
@@ -100,10 +101,15 @@ HWY_INLINE void forEachTriangleLanes(const SceneArrays& arrays, const ScreenVert
         t.x0 = first(left, scissor.x0), t.y0 = first(top, scissor.y0);
         t.x1 = past(right, scissor.x1), t.y1 = past(bottom, scissor.y1);
         const VI beside = hn::Set(d, margin);
-        const auto overColumns =
-                       hn::Lt(first(hn::Sub(left, beside), scissor.x0), past(hn::Add(right, beside), scissor.x1)),
-                   overRows =
-                       hn::Lt(first(hn::Sub(top, beside), scissor.y0), past(hn::Add(bottom, beside), scissor.y1));
+        const VI widerX0 = first(hn::Sub(left, beside), scissor.x0), widerY0 = first(hn::Sub(top, beside), scissor.y0);
+        const VI widerX1 = past(hn::Add(right, beside), scissor.x1),
+                 widerY1 = past(hn::Add(bottom, beside), scissor.y1);
+        const auto overColumns = hn::Lt(widerX0, widerX1), overRows = hn::Lt(widerY0, widerY1);
+        const auto side = [&](VI more, VI less, int bit) {
+            return hn::IfThenElseZero(hn::Gt(more, less), hn::Set(d, bit));
+        };
+        t.beside = hn::Or(hn::Or(side(t.x0, widerX0, TriangleBox::kLeft), side(t.y0, widerY0, TriangleBox::kTop)),
+                          hn::Or(side(widerX1, t.x1, TriangleBox::kRight), side(widerY1, t.y1, TriangleBox::kBottom)));
         const auto isSafe = hn::Ne(left, hn::Set(d, kUnsafe));
         // Lanes seen in the previous vector (after stepping back) or past a short range do not count again.
         const VI lane = hn::Add(hn::Iota(d, 0), hn::Set(d, std::int32_t(at) - std::int32_t(i)));
@@ -128,7 +134,7 @@ HWY_INLINE void appendBoxes(const TriangleLanes& t, hn::Mask<DI> chosen, VI faci
     const DI d;
     constexpr std::size_t kMaxLanes = hn::MaxLanes(d);
     HWY_ALIGN std::int32_t lane[kMaxLanes], x0[kMaxLanes], y0[kMaxLanes], x1[kMaxLanes], y1[kMaxLanes],
-        faces[kMaxLanes];
+        faces[kMaxLanes], beside[kMaxLanes];
     const std::size_t count = compressStore(hn::Iota(d, 0), chosen, d, lane);
     if (count == 0) return;
     compressStore(t.x0, chosen, d, x0);
@@ -136,8 +142,10 @@ HWY_INLINE void appendBoxes(const TriangleLanes& t, hn::Mask<DI> chosen, VI faci
     compressStore(t.x1, chosen, d, x1);
     compressStore(t.y1, chosen, d, y1);
     compressStore(facing, chosen, d, faces);
+    compressStore(t.beside, chosen, d, beside);
     for (std::size_t k = 0; k < count; ++k)
-        boxes.push_back({t.first + std::uint32_t(lane[k]), x0[k], y0[k], x1[k], y1[k], faces[k]});
+        boxes.push_back({t.first + std::uint32_t(lane[k]), x0[k], y0[k], x1[k], y1[k], std::int16_t(faces[k]),
+                         std::int16_t(beside[k])});
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE
