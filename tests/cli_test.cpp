@@ -67,8 +67,6 @@ TEST_F(Cli, WrongOptionsEndWithTwoAndOneLineAndNoFile)
         {"render -o a.html --frames 9", "-o: found a .html of pictures that are not one cycle; expected --flow loop"},
         {"render -o a.html --flow loop --orbit 90", "-o: found a .html of pictures that are not one cycle"},
         {"render -o a.html --flow loop --size 16384x9", "-o: found WebP pictures of 16384x9 pixels; expected at most"},
-        {"render -o a.png --flow loop --style oriented",
-         "--flow: found loop together with --style oriented; expected one or the other"},
         {"render -o a.jpg --background transparent",
          "-o: found a JPEG file of a picture that is transparent; expected"},
         {"render -o a.webp --size 16384x9", "-o: found a WebP file of 16384x9 pixels; expected at most 16383 a side"},

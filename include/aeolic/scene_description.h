@@ -68,11 +68,12 @@ enum class Streaks { plain, even };
 
 /// What streaks are made of. dense: noise all over. oriented: grains with room between them, each drawn out into a
 /// streak that grows brighter towards its head, and so tells which way the flow goes (docs/concepts.md). These take a
-/// sixth of `steps`, and neither `kernel` nor `phase`.
+/// sixth of `steps`, no `kernel`, and `phase` only where they flow.
 enum class Style { dense, oriented };
 
 /// Whether streaks run along the flow. loop: the frames of an animation are phases of one cycle, which closes: after
-/// the last one comes the first. Such streaks are dense, and have the Hann kernel whatever `kernel` says.
+/// the last one comes the first. Dense streaks have the Hann kernel then, whatever `kernel` says. Oriented ones become
+/// comets, each at its own time (docs/decisions/0034-flow-loop.md).
 enum class FlowMotion { off, loop };
 
 /// The line integral convolution (paper, section 3, "LIC stage").

@@ -113,10 +113,6 @@ void checkRelations(const SceneDescription& scene, const OptionNaming& naming)
     if (scene.time.momentOf != MomentOf::first && scene.time.range)
         throw InputError(named("--time-range"), "found together with " + named("--time") + " last", "one or the other");
 
-    if (scene.lic.flow == FlowMotion::loop && scene.lic.style != Style::dense)
-        throw InputError(named("--flow"), "found loop together with " + named("--style") + " oriented",
-                         "one or the other");
-
     const CameraOptions& camera = scene.camera;
     if (camera.position && camera.focal && *camera.position == *camera.focal)
         throw InputError(named("--camera focal"), "found the camera's position " + text(*camera.focal),

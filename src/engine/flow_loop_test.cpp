@@ -167,9 +167,14 @@ TEST_P(FlowLoop, GoesOnWhileTheCameraTurns)
 
 TEST_P(FlowLoop, NothingToFlowIsDrawnAsItIs)
 {
-    SceneDescription d = scene(LicMethod::none);
-    Renderer renderer(d);
-    EXPECT_EQ(frame(renderer, 0), frame(renderer, 5));
+    for (const Style style : {Style::dense, Style::oriented}) {
+        SceneDescription d = scene(LicMethod::none);
+        d.lic.style = style;
+        Renderer renderer(d);
+        EXPECT_EQ(frame(renderer, 0), frame(renderer, 5));
+        d.lic.flow = FlowMotion::off;
+        EXPECT_EQ(frame(renderer, 0), alone(d, 0));
+    }
     SceneDescription away = scene();
     away.camera.position = Vec3{0, -20, 0};
     away.camera.focal = Vec3{0, -30, 0};
@@ -190,12 +195,44 @@ TEST_P(FlowLoop, SumsAreKeptWhereTheCameraStands)
     EXPECT_GT(covered, 1000);
 }
 
-TEST(FlowLoopOptions, OrientedStreaksDoNotFlow)
+TEST_P(FlowLoop, OrientedStreaksFlow)
 {
-    SceneDescription d;
-    d.lic.flow = FlowMotion::loop;
+    SceneDescription d = scene();
     d.lic.style = Style::oriented;
-    EXPECT_THROW(Renderer{d}, InputError);
+    Renderer renderer(d);
+    const Bytes first = frame(renderer, 0), seventh = frame(renderer, 7);
+    EXPECT_EQ(seventh, alone(d, 7));
+    EXPECT_EQ(frame(renderer, 0), first);
+    renderer.render({CameraOptions{}});
+    EXPECT_EQ(frame(renderer, 7), seventh);
+    LicOptions still = d.lic;
+    still.flow = FlowMotion::off;
+    renderer.setLic(still);
+    EXPECT_NE(frame(renderer, 7), seventh);
+    renderer.setLic(d.lic);
+    EXPECT_EQ(frame(renderer, 7), seventh);
+
+    d.lic.phase = 2 * std::numbers::pi;
+    EXPECT_EQ(alone(d, 0), first);
+    d.lic.phase = 0;
+    d.output.orbit = 360;  // Each frame has its own runs.
+    Renderer turning(d);
+    frame(turning, 3);
+    EXPECT_EQ(frame(turning, 5), alone(d, 5));
+}
+
+TEST_P(FlowLoop, RunsOfOrientedStreaksAreKeptWhereTheCameraStands)
+{
+    SceneDescription d = scene();
+    d.lic.style = Style::oriented;
+    Renderer renderer(d);
+    frame(renderer, 0);
+    const std::int64_t covered = renderer.lastFrame().coveredPixels;
+    const double allMs = renderer.lastFrame().convolveMs;
+    frame(renderer, 1);
+    EXPECT_EQ(renderer.lastFrame().coveredPixels, covered);
+    EXPECT_LT(renderer.lastFrame().convolveMs, 0.5 * allMs);
+    EXPECT_GT(covered, 1000);
 }
 
 }  // namespace

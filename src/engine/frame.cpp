@@ -21,20 +21,46 @@ void convolveFrame(const LicOptions& lic, Backend& backend, FrameGroup& group, F
     const Extent& stripe = plan.rows.stripe;
     backend.convolve(lic, stripe, group.guards(backend, plan).get());
     backend.smooth(lic, stripe, group.beside(plan).get(), plan.edgeRows);
-    backend.flatten(lic, stripe, group.beside(plan).get(), plan.edgeRows);
+}
+void flattenFrame(const LicOptions& lic, Backend& backend, FrameGroup& group, const FramePlan& plan)
+{
+    backend.flatten(lic, plan.rows.stripe, group.beside(plan).get(), plan.edgeRows);
 }
 
-/// The LIC stage of a frame that belongs to a cycle: its values are mixed from three phases. These are convolved where
-/// the backend does not hold them from the frame before.
-void convolveInCycle(const LicOptions& lic, Backend& backend, FrameGroup& group, FramePlan& plan)
+bool isComets(const LicOptions& lic)
 {
-    for (int i = 0; !plan.again && i < phase_mix::kPhases; ++i) {
-        LicOptions ofPhase = lic;
-        ofPhase.phase = phase_mix::phaseOf(i);
-        convolveFrame(ofPhase, backend, group, plan);
-        backend.keepPhase(i);
+    return lic.flow == FlowMotion::loop && lic.style == Style::oriented && lic.method != LicMethod::none;
+}
+
+/// The LIC stage of a frame whose values are mixed from some that are kept: convolves these.
+void convolveRuns(View view, const LicOptions& lic, Backend& backend, FrameGroup& group, FramePlan& plan,
+                  FrameClock& clock)
+{
+    int kept = 0;
+    for (const phase_mix::Run& run : phase_mix::runsOf(lic)) {
+        if (run.grains != view.noise.grains) {
+            view.noise.grains = run.grains;
+            Share share;
+            clock.time(stages::project, [&] { share = backend.projectGrains(view, plan.rows.drawn, plan.rows.valid); });
+            clock.time(stages::composite, [&] {
+                group.composite(plan, share);
+                backend.complete(view, plan.rows.drawn);
+            });
+        }
+        clock.time(stages::convolve, [&] {
+            LicOptions ofRun = lic;
+            ofRun.phase = run.phase;
+            convolveFrame(ofRun, backend, group, plan);
+            if (!isComets(lic)) flattenFrame(ofRun, backend, group, plan);
+            backend.keepPhase(kept++);
+        });
     }
-    backend.mixPhases(phase_mix::weights(lic.phase));
+    if (!isComets(lic)) return;
+    clock.time(stages::convolve, [&] {
+        backend.mixPhases(phase_mix::MeanOfComets{});
+        flattenFrame(lic, backend, group, plan);
+        backend.keepPhase(phase_mix::kMeanOfComets);
+    });
 }
 
 }  // namespace
@@ -47,7 +73,8 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     const View view = makeView(request.camera, scene, request.lic);
     const LicOptions lic = inShortSteps(request.lic, view);
     const Palette palette = paletteOf(request, scene);
-    const bool again = request.inCycle && group.cycle().holds(request.camera, lic, palette);
+    const bool inCycle = request.inCycle && lic.method != LicMethod::none;
+    const bool again = inCycle && group.cycle().holds(request.camera, lic, palette);
     if (again) frame.plan = group.cycle().plan();
     frame.plan.again = again;
     const FrameRows& rows = frame.plan.rows;
@@ -68,13 +95,16 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
         group.composite(frame.plan, share);
         backend.complete(view, rows.drawn);
     });
+    const bool isMixed = inCycle || isComets(lic);
+    if (isMixed && !again) convolveRuns(view, lic, backend, group, frame.plan, clock);
     clock.time(stages::convolve, [&] {  // Noise along streams.
-        if (!request.inCycle) return convolveFrame(lic, backend, group, frame.plan);
-        convolveInCycle(lic, backend, group, frame.plan);
+        if (isMixed) return backend.mixPhases(phase_mix::mixtureOf(lic));
+        convolveFrame(lic, backend, group, frame.plan);
+        flattenFrame(lic, backend, group, frame.plan);
     });
     clock.time(stages::shade, [&] {  // LIC, light and colour to pixels.
         if (!again) backend.occlude(palette, rows.stripe, group.beside(frame.plan).get(), frame.plan.edgeRows);
-        if (request.inCycle) group.cycle().hold(request.camera, lic, palette, frame.plan);
+        if (inCycle) group.cycle().hold(request.camera, lic, palette, frame.plan);
         backend.shade(palette, rows.stripe, frame.tiles.stripe, group.edges(frame.plan, scene).get());
         frame.over.overlay = request.overlay;
         frame.over.view = view;

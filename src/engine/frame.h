@@ -15,7 +15,7 @@ struct FrameRequest {
     std::shared_ptr<const ColorMap> colorMap = nullptr;  ///< What `shading.colormap` names; null: it is built in.
     std::vector<std::shared_ptr<const ColorMap>> colorMaps = {};  ///< [Scene::colors] Of several surfaces.
     std::shared_ptr<const SurfaceOverlay> overlay = nullptr;      ///< Drawn over the surface; null: nothing is.
-    /// Frames beside this one differ in the phase alone: it is mixed from three phases, which are kept (phase_mix.h).
+    /// Frames beside this one differ in the phase alone: it is mixed from values that are kept (phase_mix.h).
     bool inCycle = false;
 };
 

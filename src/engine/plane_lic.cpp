@@ -43,6 +43,8 @@ void check(const PlaneFlow& flow, const LicOptions& lic)
     if (flow.axial && lic.style == Style::oriented)
         throw InputError("lic2d", "found polarization with style=oriented",
                          "style=dense: without signs no way is forwards");
+    if (lic.flow == FlowMotion::loop && lic.style == Style::oriented)
+        throw InputError("lic2d", "found flow=loop together with style=oriented", "one or the other on a plane");
     SceneDescription scene;
     scene.lic = lic;
     validate(scene, commandLineName);

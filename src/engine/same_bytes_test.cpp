@@ -121,20 +121,23 @@ TEST_P(SameBytes, OfStreaksThatFlow)
     CameraOptions here, there;
     there.azimuth = 100;
     const std::vector<CameraOptions> cameras{here, here, there, there};
-    for (const bool bricks : {false, true}) {
-        Case c = occluded(makeCase("flowing", 120, 101, licOf(LicMethod::hierarchical, 40)));
-        c.description.lic.flow = FlowMotion::loop;
-        const std::vector<Picture> alone = draw(GetParam(), c, {}, 1, cameras);
-        EXPECT_NE(alone[0].pixels, alone[1].pixels);
-        for (const int ranks : {2, 5})
-            for (const char* guardRows : {"project", "receive"}) {
-                const RunOptions options = runOptions("timing", "estimate", guardRows, bricks ? "on" : "off");
-                const std::vector<Picture> pictures = draw(GetParam(), c, options, ranks, cameras);
-                for (std::size_t i = 0; i < alone.size(); ++i)
-                    EXPECT_TRUE(pictures[i].pixels == alone[i].pixels)
-                        << ranks << " ranks, " << guardRows << ", bricks " << bricks << ", frame " << i;
-            }
-    }
+    for (const bool isOriented : {false, true})
+        for (const bool bricks : {false, true}) {
+            Case c = occluded(makeCase("flowing", 120, 101, licOf(LicMethod::hierarchical, isOriented ? 120 : 40)));
+            c.description.lic.flow = FlowMotion::loop;
+            if (isOriented) c.description.lic.style = Style::oriented;
+            const std::vector<Picture> alone = draw(GetParam(), c, {}, 1, cameras);
+            EXPECT_NE(alone[0].pixels, alone[1].pixels);
+            for (const int ranks : {2, 5})
+                for (const char* guardRows : {"project", "receive"}) {
+                    const RunOptions options = runOptions("timing", "estimate", guardRows, bricks ? "on" : "off");
+                    const std::vector<Picture> pictures = draw(GetParam(), c, options, ranks, cameras);
+                    for (std::size_t i = 0; i < alone.size(); ++i)
+                        EXPECT_TRUE(pictures[i].pixels == alone[i].pixels)
+                            << ranks << " ranks, " << guardRows << ", bricks " << bricks << ", oriented " << isOriented
+                            << ", frame " << i;
+                }
+        }
 }
 
 /// The camera inside the mesh: bricks reach behind the eye.

@@ -114,13 +114,16 @@ public:
     /// which brings other ranks' values; Local without.
     virtual void flatten(const LicOptions& lic, const Extent& compute, RowExchange* beside = nullptr, int more = 0) = 0;
 
-    /// Local. Keeps the LIC stage's values, as flatten() left them, as those of one of the phases that mixPhases()
-    /// takes.
+    /// Projection stage. Local. In the place of project() between two convolutions of a frame: shows the same in the
+    /// same rows, but grains have another value of `view`. complete() follows.
+    virtual Share projectGrains(const View& view, const Extent& drawn, const Extent& valid) = 0;
+
+    /// Local. Keeps the LIC stage's values, as flatten() left them, as those of one of the runs that mixPhases() takes.
     virtual void keepPhase(int which) = 0;
 
-    /// Local. The LIC stage's values become a mixture of those of the phases that were kept since the last projection,
-    /// all over the same rows (phase_mix.h).
-    virtual void mixPhases(const std::array<float, phase_mix::kPhases>& weights) = 0;
+    /// Local. The LIC stage's values become a mixture of those that were kept since project(), all over the same rows
+    /// (phase_mix.h).
+    virtual void mixPhases(const phase_mix::Mixture& mixture) = 0;
 
     /// Local. In the place of project() and of all up to the LIC stage: the frame shows what the one before showed, but
     /// for the phase and the colours. `drawn`: as it was then.

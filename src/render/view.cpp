@@ -5,6 +5,7 @@
 
 #include "render/gbuffer.h"
 #include "render/lic/lic_kernel.h"
+#include "render/lic/phase_mix.h"
 #include "render/shading_model.h"
 #include "render/units.h"
 
@@ -56,6 +57,8 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     view.noiseSeed = lic.seed;
     view.noiseStyle = lic.style;
     view.noise = makeNoiseLookup(scene.boundsWorld.diagonal() / view.unitWorld, lic.noiseScale, lic.style);
+    if (lic.flow == FlowMotion::loop && lic.style == Style::oriented)
+        view.noise.grains = phase_mix::runsOf(lic).front().grains;
     return view;
 }
 

@@ -189,7 +189,7 @@ ViewRequest fromHome(ViewRequest view, const Json& ofScene)
 std::uint64_t samplesOf(const SceneDescription& scene)
 {
     const std::uint64_t pixels = std::uint64_t(scene.output.width) * std::uint64_t(scene.output.height);
-    const std::uint64_t phases = scene.lic.flow == FlowMotion::loop ? phase_mix::kPhases : 1;
+    const std::uint64_t phases = scene.lic.flow == FlowMotion::loop ? phase_mix::runsOf(scene.lic).size() : 1;
     const auto steps = std::uint64_t(kernelSteps(scene.lic)) * phases;
     switch (scene.lic.method) {
         case LicMethod::none:

@@ -104,9 +104,9 @@ double step(const PixelImage& image, Integrator integrator, double h, Trace& t, 
 
 double kernelWeight(const LicOptions& lic, double i)
 {
-    if (lic.style == Style::oriented) return 0.5 * (1 - i / lic.steps);
-    if (lic.kernel == Kernel::box) return 1;
-    return 0.5 * (1 + std::cos(std::numbers::pi * i / (lic.steps + 0.5) - lic.phase));
+    const double wave = std::cos(std::numbers::pi * i / (lic.steps + 0.5) - lic.phase);
+    if (lic.style == Style::oriented) return 0.5 * (lic.flow == FlowMotion::loop ? wave : 1 - i / lic.steps);
+    return lic.kernel == Kernel::box ? 1 : 0.5 * (1 + wave);
 }
 
 /// What brings a Hann kernel of another phase than 0 to the contrast of phase 0: from its squared weight between the

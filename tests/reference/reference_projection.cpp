@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "reference/reference.h"
 #include "render/gbuffer.h"
@@ -98,6 +99,13 @@ double noiseAt(const NoisePyramid& noise, const NoiseLookup& lookup, const glm::
     const double wanted = footprint * lookup.levelFromFootprint;
     const int level = int(std::floor(std::log2(wanted)));
     const double mantissa = std::exp2(-level) * wanted;
+    const bool isPhased = lookup.grains == GrainValue::cosine || lookup.grains == GrainValue::sine;
+    const auto phaseOf = [&](std::size_t x, std::size_t y, std::size_t z) {
+        std::uint32_t hash = std::uint32_t(NoisePyramid::index(x, y, z)) * grains::kHashFirst;
+        hash = (hash ^ (hash >> 15)) * grains::kHashSecond;
+        const double phase = 2 * std::numbers::pi * (hash >> 28) / grains::kPhases;
+        return lookup.grains == GrainValue::cosine ? std::cos(phase) : std::sin(phase);
+    };
     const auto trilinear = [&](int o) {
         const glm::dvec3 t = lookup.texelFromLocal * local * std::exp2(-o) +
                              double(o) * glm::dvec3(kNoiseLevelOffset[0], kNoiseLevelOffset[1], kNoiseLevelOffset[2]);
@@ -105,15 +113,24 @@ double noiseAt(const NoisePyramid& noise, const NoiseLookup& lookup, const glm::
         const auto wrapped = [](double v) { return std::size_t(std::int64_t(v) & (NoisePyramid::kSize - 1)); };
         const int cell = noise.cells[NoisePyramid::index(wrapped(f.x), wrapped(f.y), wrapped(f.z))];
         double sum = 0;
+        if (isPhased) {  // Each corner's own phase, were there more grains than one in a cell, too.
+            for (int k = 0; k < 8; ++k)
+                if (cell >> k & 1)
+                    sum += phaseOf(wrapped(f.x + (k & 1)), wrapped(f.y + (k >> 1 & 1)), wrapped(f.z + (k >> 2))) *
+                           ((k & 1) ? w.x : 1 - w.x) * ((k >> 1 & 1) ? w.y : 1 - w.y) * ((k >> 2) ? w.z : 1 - w.z);
+            return sum;
+        }
         for (int k = 0; k < 8; ++k)
             sum += (2 * (cell >> k & 1) - 1) * ((k & 1) ? w.x : 1 - w.x) * ((k >> 1 & 1) ? w.y : 1 - w.y) *
                    ((k >> 2) ? w.z : 1 - w.z);
         return sum;
     };
-    if (lookup.grains) {
+    if (lookup.grains != GrainValue::none) {
         const double from = double(grains::kBlendFrom), to = double(grains::kBlendTo);
         const double blend = std::clamp((mantissa - from) / (to - from), 0.0, 1.0);
-        const auto grain = [&](int o) { return (1 + trilinear(o)) / 2 - double(grains::kShare); };
+        const auto grain = [&](int o) {
+            return isPhased ? trilinear(o) : (1 + trilinear(o)) / 2 - double(grains::kShare);
+        };
         const double height = mantissa * double(grains::kHeight);
         return height * ((1 - blend) * grain(level) + 0.5 * blend * grain(level + 1)) / std::hypot(1 - blend, blend);
     }

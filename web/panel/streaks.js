@@ -34,7 +34,7 @@ export function streaksPart({model, flowing}) {
     for (const row of [style, steps, step, noiseScale, magnitude, evenness, seed]) row.show(isOn);
     normalize.show(isOn && chosen.magnitude !== 'length');
     kernel.show(isOn && isDense && !model.flows);
-    animate.show(isOn && isDense);
+    animate.show(isOn);
     exact.show(chosen.method === 'hierarchical');
     exact.set(model.isExactAtRest);
     integrator.show(chosen.method === 'direct');

@@ -89,11 +89,11 @@ export class Model extends Emitter {
 
   /// Whether streaks flow: those that can, where a person or the scene wants it.
   get flows() {
-    const {flow, style, method} = this.options.lic;
-    return flow === 'loop' && style === 'dense' && method !== 'none';
+    const {flow, method} = this.options.lic;
+    return flow === 'loop' && method !== 'none';
   }
 
-  // A cycle takes three pictures' work. While something moves one picture shows one phase of it.
+  // A cycle takes the work of three or four pictures. While something moves one picture shows one phase of it.
   #flowOf(isMoving) {
     const {flow, phase} = this.options.lic;
     if (flow !== 'loop') return {};

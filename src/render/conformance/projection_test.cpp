@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "data/mesh/join_meshes.h"
@@ -60,7 +61,8 @@ Differences compare(const reference::PixelImage& expected, const GBuffer& buffer
 
 /// Vertices are snapped to 1/256 pixel before drawing: a pixel centre that close to an edge may belong to either side.
 void expectAgreement(const std::string& backend, Scene scene, const Camera& camera, double scalarTolerance = 0,
-                     Style style = Style::dense, Magnitude magnitude = Magnitude::none)
+                     Style style = Style::dense, Magnitude magnitude = Magnitude::none,
+                     std::optional<GrainValue> grains = std::nullopt)
 {
     Stages stages(backend, std::move(scene));
     const bool withScalar = stages.scene.hasScalar;
@@ -68,6 +70,13 @@ void expectAgreement(const std::string& backend, Scene scene, const Camera& came
     lic.style = style;
     lic.magnitude = magnitude;
     stages.project(camera, lic);
+    if (grains) {
+        stages.view.noise.grains = *grains;
+        const Extent whole = wholeImage(camera);
+        stages.backend->projectGrains(stages.view, whole, whole);
+        stages.backend->complete(stages.view, whole);
+        stages.buffer = &stages.backend->probe().gbuffer();
+    }
     const reference::PixelImage expected = reference::project(stages.view, stages.scene, stages.noise);
     const Differences d = compare(expected, *stages.buffer, withScalar, scalarTolerance);
     const double few = 0.01 * d.covered, outlinePixels = 6 * std::sqrt(double(d.covered));
@@ -114,6 +123,21 @@ TEST_P(ProjectionConformance, GrainsOfOrientedStreaks)
             const Camera camera = fitCamera(scene, view, 120, 90);
             expectAgreement(GetParam(), std::move(scene), camera, 0, Style::oriented);
         }
+    });
+}
+
+TEST_P(ProjectionConformance, PhasesOfGrains)
+{
+    forEachSimdTarget([&] {
+        for (const GrainValue value : {GrainValue::cosine, GrainValue::sine})
+            for (const double zoom : {0.7, 1.4}) {
+                SCOPED_TRACE(zoom);
+                Scene scene = makeBuiltinScene("torus:800", "abc:24,24,24");
+                CameraOptions view;
+                view.zoom = zoom;
+                const Camera camera = fitCamera(scene, view, 120, 90);
+                expectAgreement(GetParam(), std::move(scene), camera, 0, Style::oriented, Magnitude::none, value);
+            }
     });
 }
 

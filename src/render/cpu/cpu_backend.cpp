@@ -81,9 +81,10 @@ public:
     }
 
     void keepPhase(int which) override { phases_.keep(which, lic_.values()); }
-    void mixPhases(const std::array<float, phase_mix::kPhases>& weights) override
+    void mixPhases(const phase_mix::Mixture& mixture) override { phases_.mix(buffer_, mixture, lic_.values()); }
+    Share projectGrains(const View& view, const Extent& drawn, const Extent& valid) override
     {
-        phases_.mix(buffer_, weights, lic_.values());
+        return project(view, drawn, valid);
     }
     void projectAgain(const Extent& /*drawn*/) override {}  // Everything is where it was.
 

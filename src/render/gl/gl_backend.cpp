@@ -62,7 +62,20 @@ public:
         context_->bind();
         GpuState& gpu = *gpu_;
         gpu.images.resize(view.camera.width, view.camera.height, valid, scene_.hasScalar, !scene_.surfaces.empty());
-        FrameInFlight& frame = gpu.frames.begin();
+        gpu.frames.begin();
+        return projectInFrame(view, drawn, valid);
+    }
+
+    Share projectGrains(const View& view, const Extent& drawn, const Extent& valid) override
+    {
+        context_->bind();
+        return projectInFrame(view, drawn, valid);
+    }
+
+    Share projectInFrame(const View& view, const Extent& drawn, const Extent& valid)
+    {
+        GpuState& gpu = *gpu_;
+        FrameInFlight& frame = gpu.frames.drawn();
         frame.timers.begin(Stage::project);
         gpu.scene.setNoise(view.noiseSeed, view.noiseStyle);
         flowUnitPx_ = view.flowUnitPx;
@@ -155,11 +168,11 @@ public:
         context_->check("keeping a phase");
     }
 
-    void mixPhases(const std::array<float, phase_mix::kPhases>& weights) override
+    void mixPhases(const phase_mix::Mixture& mixture) override
     {
         if (method_ == LicMethod::none) return;
         context_->bind();
-        gpu_->phases.mix(context_->programs(), gpu_->images, weights, gpu_->frames.drawn().timers);
+        gpu_->phases.mix(context_->programs(), gpu_->images, mixture, gpu_->frames.drawn().timers);
         context_->check("mixing phases");
     }
 

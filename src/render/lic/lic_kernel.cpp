@@ -31,6 +31,8 @@ double KernelModel::weight(int i) const
             return 0.5 + 0.5 * std::cos(anglePerStep(*this) * i - phaseRad);
         case Shape::ramp:
             return 0.5 - 0.5 * i / steps;
+        case Shape::wave:
+            return 0.5 * std::cos(anglePerStep(*this) * i - phaseRad);
     }
     return 1;
 }
@@ -40,18 +42,27 @@ KernelModel makeKernelModel(const LicOptions& lic)
     using Shape = KernelModel::Shape;
     KernelModel kernel;
     kernel.steps = lic.steps;
-    if (lic.style == Style::oriented) {
+    const auto turnTo = [&](double phase) {
+        kernel.phaseRad = phase;
+        kernel.ofFirst = float(std::cos(phase));
+        kernel.ofSecond = float(std::sin(phase));
+    };
+    if (lic.style == Style::oriented && lic.flow == FlowMotion::loop) {
+        kernel.shape = Shape::wave;
+        kernel.meanWeight = 0.5;
+        kernel.concentration = 1.5;
+        kernel.ofPlain = 0;
+        turnTo(lic.phase);
+    } else if (lic.style == Style::oriented) {
         kernel.shape = Shape::ramp;
         kernel.meanWeight = 0.5;
         kernel.concentration = 4.0 / 3.0;
         kernel.ofSecond = 1;
     } else if (lic.kernel == Kernel::hann || lic.flow == FlowMotion::loop) {
         kernel.shape = Shape::hann;
-        kernel.phaseRad = lic.phase;
         kernel.meanWeight = 0.5;
         kernel.concentration = 1.5;
-        kernel.ofFirst = float(std::cos(lic.phase));
-        kernel.ofSecond = float(std::sin(lic.phase));
+        turnTo(lic.phase);
     }
     return kernel;
 }

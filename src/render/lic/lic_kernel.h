@@ -23,20 +23,22 @@ struct Turn {
 ///   ramp  (1 - i / steps) / 2: what a grain adds to a pixel grows with its distance upstream. So the grain is drawn
 ///         out into a streak that is brightest at its head, downstream, and ends there (Wegenkittl, Gröller &
 ///         Purgathofer 1997).
+///   wave  cos(pi i / (steps + 1/2) - phase) / 2: hann without its mean. From grains with a phase each two of them make
+///         what flows of oriented streaks (phase_mix.h).
 ///
 /// A weight is the mean and half of one number of a pair that turns as a trace goes on: cos and sin of an angle, or 1
 /// and the share of the kernel walked, which is the first moment. Jumps keep two sums for such a pair beside the plain
 /// one. So a jump that starts i steps on is joined by turning its sums, and a kernel of this kind needs no new method.
 struct KernelModel {
-    enum class Shape { box, hann, ramp };
+    enum class Shape { box, hann, ramp, wave };
 
     Shape shape = Shape::box;
     int steps = 0;
     double phaseRad = 0;
     double meanWeight = 1;
     double concentration = 1;  ///< How much its shape concentrates its weight: f of the contrast (ContrastModel).
-    /// The result is half of the plain sum, and half of the weighted ones, each of which counts by these.
-    float ofFirst = 0, ofSecond = 0;
+    /// The result is half of what these make of the plain sum and of the two weighted ones.
+    float ofPlain = 1, ofFirst = 0, ofSecond = 0;
 
     /// Whether jumps keep the two weighted sums.
     bool weighted() const { return shape != Shape::box; }

@@ -86,7 +86,7 @@ NoiseLookup makeNoiseLookup(double sceneDiagonal, double noiseScale, Style style
     for (int i = 0; i < 3; ++i) lookup.texelFromLocal[i] /= base;
     lookup.levelFromFootprint = NoisePyramid::kTexelPerPixel / (base * noiseScale);
     if (style == Style::oriented) {
-        lookup.grains = true;
+        lookup.grains = GrainValue::height;
         lookup.levelFromFootprint *= grains::kTexelPx;
     }
     return lookup;

@@ -39,11 +39,15 @@ struct NoisePyramid {
     explicit NoisePyramid(std::uint32_t seed, Style style = Style::dense);
 };
 
+/// What the texels of grains stand for; `none`: they are noise. `cosine` and `sine`: a grain's height times those of a
+/// phase of its own (grains::kWave), which streaks need that flow.
+enum class GrainValue : std::uint32_t { none, height, cosine, sine };
+
 /// How a pixel looks its noise up; one for the whole frame.
 struct NoiseLookup {
     glm::dmat3 texelFromLocal{1};   ///< Rotation and scale: local P-space to texels of level 0.
     double levelFromFootprint = 1;  ///< footprint (world) * this = the value whose power-of-two exponent is the level.
-    bool grains = false;            ///< The tile's texels are grains or nothing.
+    GrainValue grains = GrainValue::none;
 };
 
 /// `sceneDiagonal` fixes the size of level 0, so the noise keeps its place with any camera and image size.
@@ -66,6 +70,15 @@ inline constexpr float kShare = 0.0265f;
 inline constexpr float kBlendFrom = 1.26f, kBlendTo = 1.587f;
 /// Height of a grain in the finer level where m is 1; in the coarser level half of that.
 inline constexpr float kHeight = 0.5f;
+
+/// A grain's phase is one of these, as evenly as its texel's hash is. The sine is the cosine of a quarter less.
+inline constexpr int kPhases = 16;
+inline constexpr std::array<float, kPhases> kWave{
+    1.0f,  0.92387953f,  0.70710678f,  0.38268343f,  0.0f, -0.38268343f, -0.70710678f, -0.92387953f,
+    -1.0f, -0.92387953f, -0.70710678f, -0.38268343f, 0.0f, 0.38268343f,  0.70710678f,  0.92387953f};
+/// The hash of a texel, of which NoisePyramid::index() is i: i * first, that with its upper bits xored into the lower
+/// ones, times the second. The upper four bits tell the phase.
+inline constexpr std::uint32_t kHashFirst = 0x9E3779B1u, kHashSecond = 0x85EBCA77u;
 
 }  // namespace grains
 

@@ -29,5 +29,58 @@ TEST(PhaseMix, AWaveOfOneTurnIsMixedExactly)
     }
 }
 
+TEST(PhaseMix, OrientedStreaksHaveFourRuns)
+{
+    LicOptions lic;
+    EXPECT_EQ(phase_mix::runsOf(lic).size(), 3U);
+    lic.style = Style::oriented;
+    lic.phase = 1;
+    ASSERT_EQ(phase_mix::runsOf(lic).size(), 4U);
+    const auto turned = std::get<phase_mix::Turned>(phase_mix::mixtureOf(lic));
+    EXPECT_FLOAT_EQ(turned.cosine, float(std::cos(1.0)));
+    EXPECT_FLOAT_EQ(turned.sine, float(std::sin(1.0)));
+}
+
+/// It grows for most of the turn up to its head, and falls at half a turn. Nowhere is it darker than nothing.
+TEST(PhaseMix, ACometHasItsHeadAtHalfATurn)
+{
+    using phase_mix::Comet;
+    const auto comet = [](double degrees) {
+        double sum = double(Comet::kMean / Comet::kContrast);
+        for (int k = 1; k <= 3; ++k) {
+            const double angle = k * degrees * std::numbers::pi / 180;
+            sum += double(Comet::kCosine[std::size_t(k - 1)]) * std::cos(angle) +
+                   double(Comet::kSine[std::size_t(k - 1)]) * std::sin(angle);
+        }
+        return sum;
+    };
+    double most = 0, head = 0;
+    for (int degrees = -180; degrees < 180; ++degrees) {
+        EXPECT_GT(comet(degrees), -0.03) << degrees;
+        if (comet(degrees) > most) most = comet(degrees), head = degrees;
+        if (degrees > -100 && degrees < 120) {
+            EXPECT_GT(comet(degrees + 1), comet(degrees)) << degrees;
+        }
+    }
+    EXPECT_GT(head, 120);
+    EXPECT_LT(head, 160);
+    EXPECT_NEAR(most, 0.75, 0.1);
+    EXPECT_LT(comet(200), 0.4 * most);
+}
+
+/// Grains have phases of their own, evenly.
+TEST(PhaseMix, PhasesOfGrainsAreSpread)
+{
+    int count[grains::kPhases] = {};
+    for (std::uint32_t texel = 0; texel < 1u << 18; ++texel) {
+        std::uint32_t hash = texel * grains::kHashFirst;
+        hash = (hash ^ (hash >> 15)) * grains::kHashSecond;
+        ++count[hash >> 28];
+    }
+    for (const int of : count) EXPECT_NEAR(of, (1 << 18) / grains::kPhases, 600);
+    for (int k = 0; k < grains::kPhases; ++k)
+        EXPECT_NEAR(double(grains::kWave[std::size_t(k)]), std::cos(2 * std::numbers::pi * k / grains::kPhases), 1e-7);
+}
+
 }  // namespace
 }  // namespace aeolic

@@ -114,6 +114,7 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
                                 &plan,
                                 kernel.weighted(),
                                 lic.streaks,
+                                kernel.ofPlain,
                                 kernel.ofFirst,
                                 kernel.ofSecond,
                                 float(kernel.weight(0)),

@@ -52,7 +52,7 @@ struct HierarchicalPass {
     const JumpPlan* plan;
     bool weighted;
     Streaks streaks;
-    float ofFirst, ofSecond, ownWeight;  ///< Of the kernel.
+    float ofPlain, ofFirst, ofSecond, ownWeight;  ///< Of the kernel.
     ContrastModel contrast;
     const NearFlow* near;
     LicImage* out;

@@ -120,7 +120,7 @@ void finish(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& t
         if constexpr (kWeighted) {
             const VF first = hn::Add(down.first, up.first), second = hn::Add(down.second, up.second);
             const VF weighted = hn::MulAdd(hn::Set(d, pass.ofFirst), first, hn::Mul(hn::Set(d, pass.ofSecond), second));
-            sum = hn::Mul(hn::Set(d, 0.5f), hn::Add(sum, weighted));
+            sum = hn::Mul(hn::Set(d, 0.5f), hn::Add(hn::Mul(hn::Set(d, pass.ofPlain), sum), weighted));
         }
         sum = hn::MulAdd(hn::Mul(own, hn::Set(d, pass.ownWeight)), origin.noise, sum);
         const VF length = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));

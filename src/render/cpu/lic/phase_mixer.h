@@ -8,17 +8,17 @@
 
 namespace aeolic::cpu {
 
-/// The values of the phases of a cycle. Memory: three floats a pixel, from the first phase kept on.
+/// The values that a cycle of phases is mixed from. Memory: a float a pixel for each that is kept, from the first on.
 class PhaseMixer {
 public:
     /// Takes the values, and gives back an image of the same extent with any content.
     void keep(int which, LicImage& values);
 
     /// What Backend::mixPhases() does. Parallel; as fast as memory.
-    void mix(const GBuffer& buffer, const std::array<float, phase_mix::kPhases>& weights, LicImage& values) const;
+    void mix(const GBuffer& buffer, const phase_mix::Mixture& mixture, LicImage& values) const;
 
 private:
-    std::array<LicImage, phase_mix::kPhases> kept_;
+    std::array<LicImage, phase_mix::kMostKept> kept_;
 };
 
 }  // namespace aeolic::cpu

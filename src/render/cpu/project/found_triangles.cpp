@@ -11,6 +11,8 @@
 namespace aeolic::cpu {
 namespace {
 
+static_assert(kSampleMargin <= kSubpixels, "TriangleBox::beside tells of a pixel at each side");
+
 constexpr std::size_t kMaxChunks = 64;  // Enough to keep many cores busy, few enough that per-tile counts stay small.
 constexpr std::size_t kMinChunkTriangles = 2048;
 

@@ -45,9 +45,33 @@ HWY_INLINE NoiseFace<V> noiseFace(D df, VU bits)
     }
 }
 
-/// Trilinear noise of one level, -1 to 1; `texel` in that level's texels.
+/// Of the grain in each lane's cell, of which it has one at most: the cosine or the sine of its phase. `corners`: the
+/// cell's texels, a bit each; x, y, z: its first.
+template <class D, class VU, class VI, class V = hn::Vec<D>>
+HWY_INLINE V grainPhase(D d, GrainValue value, VU corners, VI x, VI y, VI z)
+{
+    const hn::RebindToSigned<D> di;
+    const hn::RebindToUnsigned<D> du;
+    const auto beside = [&](VI first, std::uint32_t corners1) AEOLIC_INLINE {
+        const auto isNext = hn::Ne(hn::And(corners, hn::Set(du, corners1)), hn::Zero(du));
+        const auto next = hn::Sub(first, hn::VecFromMask(di, hn::RebindMask(di, isNext)));
+        return hn::BitCast(du, hn::And(next, hn::Set(di, NoisePyramid::kSize - 1)));
+    };
+    static_assert(NoisePyramid::kSize == 64);
+    auto hash =
+        hn::Or(beside(x, 0xAAu), hn::Or(hn::ShiftLeft<6>(beside(y, 0xCCu)), hn::ShiftLeft<12>(beside(z, 0xF0u))));
+    hash = hn::Mul(hash, hn::Set(du, grains::kHashFirst));
+    hash = hn::Mul(hn::Xor(hash, hn::ShiftRight<15>(hash)), hn::Set(du, grains::kHashSecond));
+    static_assert(grains::kPhases == 16);
+    const auto quarters = hn::Set(du, value == GrainValue::sine ? 12u : 0u);
+    const auto phase = hn::And(hn::Add(hn::ShiftRight<28>(hash), quarters), hn::Set(du, 15u));
+    return hn::GatherIndex(d, grains::kWave.data(), hn::BitCast(di, phase));
+}
+
+/// Trilinear noise of one level, -1 to 1; `texel` in that level's texels. Of grains with a phase: 0 to 1, times the
+/// phase's cosine or sine.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V noiseLevel(D d, const NoisePyramid& noise, const Vec3v<V>& texel)
+HWY_INLINE V noiseLevel(D d, const NoisePyramid& noise, GrainValue value, const Vec3v<V>& texel)
 {
     const hn::RebindToSigned<D> di;
     const hn::RebindToUnsigned<D> du;
@@ -62,7 +86,10 @@ HWY_INLINE V noiseLevel(D d, const NoisePyramid& noise, const Vec3v<V>& texel)
     const auto blend = [&](const NoiseFace<V>& f) {
         return hn::MulAdd(hn::MulAdd(f.d, wx, f.c), wy, hn::MulAdd(f.b, wx, f.a));
     };
-    return lerp(blend(noiseFace(d, corners)), blend(noiseFace(d, hn::ShiftRight<4>(corners))), wz);
+    const V level = lerp(blend(noiseFace(d, corners)), blend(noiseFace(d, hn::ShiftRight<4>(corners))), wz);
+    if (value != GrainValue::cosine && value != GrainValue::sine) return level;
+    const V share = hn::MulAdd(level, hn::Set(d, 0.5f), hn::Set(d, 0.5f));
+    return hn::Mul(share, grainPhase(d, value, corners, ix, iy, iz));
 }
 
 /// How much the coarser level of grains counts; `m` is 1 to 2 within an octave.
@@ -74,11 +101,13 @@ HWY_INLINE V grainBlend(D d, V m)
     return hn::Min(hn::Max(blend, hn::Zero(d)), hn::Set(d, 1.0f));
 }
 
-/// Noise of grains, 1 or -1 where there is none, as their height above the mean; `m` as above.
+/// Noise of grains, 1 or -1 where there is none, as their height above the mean; `m` as above. That of grains with a
+/// phase has no mean.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V grainHeight(D d, V noise, V m, float height)
+HWY_INLINE V grainHeight(D d, GrainValue value, V noise, V m, float height)
 {
-    const V above = hn::MulAdd(noise, hn::Set(d, 0.5f), hn::Set(d, 0.5f - grains::kShare));
+    const V above =
+        value == GrainValue::height ? hn::MulAdd(noise, hn::Set(d, 0.5f), hn::Set(d, 0.5f - grains::kShare)) : noise;
     return hn::Mul(above, hn::Mul(m, hn::Set(d, height)));
 }
 
@@ -99,7 +128,8 @@ HWY_INLINE V sampleNoise(D d, const NoisePyramid& noise, const NoiseLookup& look
     const auto exponent = hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127));
     const auto mantissa = hn::BitCast(d, hn::Or(hn::And(bits, hn::Set(di, 0x007FFFFF)), hn::Set(di, 0x3F800000)));
     const auto one = hn::Set(d, 1.0f);
-    const auto blend = lookup.grains ? grainBlend(d, mantissa) : hn::Sub(mantissa, one);
+    const bool hasGrains = lookup.grains != GrainValue::none;
+    const auto blend = hasGrains ? grainBlend(d, mantissa) : hn::Sub(mantissa, one);
     const auto shrink = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(di, 127), exponent)));  // 2^-exponent
     const auto level = hn::ConvertTo(d, exponent);
     const auto at = [&](auto o, auto factor) {
@@ -107,12 +137,12 @@ HWY_INLINE V sampleNoise(D d, const NoisePyramid& noise, const NoiseLookup& look
         return Vec3v<V>{hn::MulAdd(texel.x, factor, shift(0)), hn::MulAdd(texel.y, factor, shift(1)),
                         hn::MulAdd(texel.z, factor, shift(2))};
     };
-    auto fine = noiseLevel(d, noise, at(level, shrink));
-    auto coarse = noiseLevel(d, noise, at(hn::Add(level, one), hn::Mul(shrink, hn::Set(d, 0.5f))));
+    auto fine = noiseLevel(d, noise, lookup.grains, at(level, shrink));
+    auto coarse = noiseLevel(d, noise, lookup.grains, at(hn::Add(level, one), hn::Mul(shrink, hn::Set(d, 0.5f))));
     const auto keep = hn::Sub(one, blend);
-    if (lookup.grains) {
-        fine = grainHeight(d, fine, mantissa, grains::kHeight);
-        coarse = grainHeight(d, coarse, mantissa, 0.5f * grains::kHeight);
+    if (hasGrains) {
+        fine = grainHeight(d, lookup.grains, fine, mantissa, grains::kHeight);
+        coarse = grainHeight(d, lookup.grains, coarse, mantissa, 0.5f * grains::kHeight);
     }
     const auto power = hn::MulAdd(keep, keep, hn::Mul(blend, blend));
     return hn::Mul(hn::MulAdd(coarse, blend, hn::Mul(fine, keep)), inverseLength(d, power));

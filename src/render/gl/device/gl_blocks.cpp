@@ -45,7 +45,7 @@ ViewBlock makeViewBlock(const View& view, int firstRow, int rows)
     block.normalizeSteps = view.normalize;
     block.vectorFactor = view.vectorFactor;
     block.vectorUnit = view.vectorUnit;
-    block.grains = view.noise.grains;
+    block.grains = std::uint32_t(view.noise.grains);
     block.fadePerVector = view.fadePerVector;
     return block;
 }

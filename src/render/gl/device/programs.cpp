@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 #include "base/embedded_file.h"
@@ -16,6 +17,7 @@
 #include "render/lic/jump_plan.h"
 #include "render/lic/lic_kernel.h"
 #include "render/lic/noise.h"
+#include "render/lic/phase_mix.h"
 #include "render/limits.h"
 #include "render/occlusion.h"
 #include "render/palette.h"
@@ -87,6 +89,15 @@ const std::string& constants()
         add("kGrainBlendFrom", grains::kBlendFrom);
         add("kGrainBlendTo", grains::kBlendTo);
         add("kGrainHeight", grains::kHeight);
+        add("kGrainHashFirst", grains::kHashFirst);
+        add("kGrainHashSecond", grains::kHashSecond);
+        for (std::size_t k = 0; k < 3; ++k) {
+            add(("kCometCosine" + std::to_string(k + 1)).c_str(), phase_mix::Comet::kCosine[k]);
+            add(("kCometSine" + std::to_string(k + 1)).c_str(), phase_mix::Comet::kSine[k]);
+        }
+        add("kCometMean", phase_mix::Comet::kMean);
+        add("kCometContrast", phase_mix::Comet::kContrast);
+        add("kCometTakenOff", phase_mix::Comet::kTakenOff);
         add("kNoiseOffsetX", float(kNoiseLevelOffset[0]));
         add("kNoiseOffsetY", float(kNoiseLevelOffset[1]));
         add("kNoiseOffsetZ", float(kNoiseLevelOffset[2]));

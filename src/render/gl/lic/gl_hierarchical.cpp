@@ -111,7 +111,7 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
     }
     const GLuint finish = pass.programs.compute("hierarchical_finish", defines);
     setContrast(finish, lic);
-    glProgramUniform3f(finish, 3, kernel.ofFirst, kernel.ofSecond, float(kernel.weight(0)));
+    glProgramUniform4f(finish, 3, kernel.ofPlain, kernel.ofFirst, kernel.ofSecond, float(kernel.weight(0)));
     bindTraces(pass, finish);
     images.places.bind(4);
     images.metas.bind(5);

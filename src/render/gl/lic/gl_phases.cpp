@@ -14,13 +14,19 @@ void GlPhases::keep(int which, const FrameImages& images)
                        values.height(), 1);
 }
 
-void GlPhases::mix(Programs& programs, const FrameImages& images, const std::array<float, phase_mix::kPhases>& weights,
+void GlPhases::mix(Programs& programs, const FrameImages& images, const phase_mix::Mixture& mixture,
                    StageTimers& timers) const
 {
     timers.begin(Stage::convolve);
-    const GLuint program = programs.compute("mix_phases");
-    glProgramUniform3f(program, 1, weights[0], weights[1], weights[2]);
-    for (GLuint i = 0; i < GLuint(kept_.size()); ++i) kept_[i].bind(i);
+    const auto* weights = std::get_if<phase_mix::Weights>(&mixture);
+    const auto* turned = std::get_if<phase_mix::Turned>(&mixture);
+    const GLuint program =
+        weights ? programs.compute("mix_phases") : programs.compute("mix_comets", {{"MEAN", turned ? 0 : 1}});
+    if (weights) glProgramUniform3f(program, 1, (*weights)[0], (*weights)[1], (*weights)[2]);
+    if (turned) glProgramUniform2f(program, 1, turned->cosine, turned->sine);
+    for (GLuint i = 0; i < GLuint(kept_.size()); ++i)
+        if (kept_[i].id() != 0) kept_[i].bind(i);
+    if (!weights) images.flow.bind(GLuint(kept_.size()));
     images.lic.bindImage(0);
     dispatchOver(program, {0, 0, images.lic.width(), images.valid.height()});
     timers.end();

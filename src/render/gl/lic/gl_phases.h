@@ -9,18 +9,18 @@
 
 namespace aeolic::gl {
 
-/// The values of the phases of a cycle, on the device: three textures as large as that of the LIC stage's values, from
-/// the first phase kept on.
+/// The values that a cycle of phases is mixed from, on the device: a texture for each that is kept, as large as that of
+/// the LIC stage's values.
 class GlPhases {
 public:
     void keep(int which, const FrameImages& images);
 
     /// What Backend::mixPhases() does, over all rows that are held.
-    void mix(Programs& programs, const FrameImages& images, const std::array<float, phase_mix::kPhases>& weights,
+    void mix(Programs& programs, const FrameImages& images, const phase_mix::Mixture& mixture,
              StageTimers& timers) const;
 
 private:
-    std::array<Texture, phase_mix::kPhases> kept_;
+    std::array<Texture, phase_mix::kMostKept> kept_;
 };
 
 }  // namespace aeolic::gl

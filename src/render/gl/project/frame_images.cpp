@@ -12,7 +12,7 @@ namespace {
 constexpr int kRowsBeyond = Image<float>::kApronRows;
 /// All below, with two levels of jumps, and what edges, means, occlusion and phases take (Edges, Flatten,
 /// Occlusion, GlPhases).
-constexpr std::uint64_t kBytesPerPixel = 214;
+constexpr std::uint64_t kBytesPerPixel = 222;
 
 }  // namespace
 

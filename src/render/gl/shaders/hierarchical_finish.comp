@@ -6,7 +6,7 @@
 #include "jumps.glsl"
 #include "lic_value.glsl"
 layout(r32f, binding = 0) writeonly uniform image2D licImage;
-layout(location = 3) uniform vec3 kernel;  // Shares of the two weighted sums; weight of the pixel's own sample.
+layout(location = 3) uniform vec4 kernel;  // Shares of the plain and the weighted sums; weight of the own sample.
 
 Walk walkAll(int direction)
 {
@@ -41,9 +41,9 @@ void main()
     precise float sum = down.sum + up.sum;
 #if WEIGHTED
     vec2 weighted = down.weighted + up.weighted;
-    sum = 0.5 * (sum + fma(kernel.x, weighted.x, kernel.y * weighted.y));
+    sum = 0.5 * (kernel.x * sum + fma(kernel.y, weighted.x, kernel.z * weighted.y));
 #endif
-    sum = fma(own * kernel.z, origin.noise, sum);
+    sum = fma(own * kernel.w, origin.noise, sum);
     precise float lengthPx = own + (down.lengthPx + up.lengthPx);
     float effectivePx = effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width);
     imageStore(licImage, pixel, vec4(licValue(sum, lengthPx, effectivePx) * phaseGain(own, down.lengthPx, up.lengthPx)));

@@ -14,18 +14,39 @@ float noiseFace(uint cell, int k, vec3 weight)
     return value;
 }
 
-// Trilinear noise of one level, -1 to 1; `texel` in that level's texels.
+const uint kNoGrains = 0u, kGrainHeights = 1u, kGrainCosines = 2u, kGrainSines = 3u;  // GrainValue.
+// grains::kWave.
+const float kWave[16] = float[](1.0, 0.92387953, 0.70710678, 0.38268343, 0.0, -0.38268343, -0.70710678, -0.92387953,
+                                -1.0, -0.92387953, -0.70710678, -0.38268343, 0.0, 0.38268343, 0.70710678, 0.92387953);
+
+// Of the grain in a cell, of which it has one at most: the cosine or the sine of its phase.
+float grainPhase(uint cell, ivec3 first)
+{
+    ivec3 beside = ivec3((cell & 0xAAu) != 0u, (cell & 0xCCu) != 0u, (cell & 0xF0u) != 0u);
+    uvec3 grain = uvec3(first + beside & kNoiseSize - 1);
+    uint hash = (grain.x | grain.y << 6 | grain.z << 12) * kGrainHashFirst;
+    hash = (hash ^ hash >> 15) * kGrainHashSecond;
+    return kWave[(hash >> 28) + (view.grains == kGrainSines ? 12u : 0u) & 15u];
+}
+
+// Trilinear noise of one level, -1 to 1; `texel` in that level's texels. Of grains with a phase: 0 to 1, times the
+// phase's cosine or sine.
 float noiseLevel(vec3 texel)
 {
     precise vec3 lower = floor(texel), weight = texel - lower;
-    uint cell = texelFetch(noiseCells, ivec3(lower) & (kNoiseSize - 1), 0).r;
-    return lerp(noiseFace(cell, 0, weight), noiseFace(cell, 4, weight), weight.z);
+    ivec3 first = ivec3(lower) & (kNoiseSize - 1);
+    uint cell = texelFetch(noiseCells, first, 0).r;
+    float level = lerp(noiseFace(cell, 0, weight), noiseFace(cell, 4, weight), weight.z);
+    if (view.grains < kGrainCosines) return level;
+    precise float value = fma(level, 0.5, 0.5) * grainPhase(cell, first);
+    return value;
 }
 
-// Noise of grains, 1 or -1 where there is none, as their height above the mean; `m` is 1 to 2 within an octave.
+// Noise of grains, 1 or -1 where there is none, as their height above the mean; `m` is 1 to 2 within an octave. That of
+// grains with a phase has no mean.
 float grainHeight(float noise, float m, float height)
 {
-    precise float above = fma(noise, 0.5, 0.5 - kGrainShare) * (m * height);
+    precise float above = (view.grains == kGrainHeights ? fma(noise, 0.5, 0.5 - kGrainShare) : noise) * (m * height);
     return above;
 }
 
@@ -38,13 +59,13 @@ float sampleNoise(vec3 local, float footprint)
     int exponent = (bits >> 23) - 127;
     float mantissa = intBitsToFloat((bits & 0x007FFFFF) | 0x3F800000);
     precise float blend = mantissa - 1.0;
-    if (view.grains) blend = clamp((mantissa - kGrainBlendFrom) * (1.0 / (kGrainBlendTo - kGrainBlendFrom)), 0.0, 1.0);
+    if (view.grains != kNoGrains) blend = clamp((mantissa - kGrainBlendFrom) * (1.0 / (kGrainBlendTo - kGrainBlendFrom)), 0.0, 1.0);
     float shrink = intBitsToFloat((127 - exponent) << 23);
     float level = float(exponent);
     float fine = noiseLevel(along(level * kLevelOffset, texel, shrink));
     float coarse = noiseLevel(along((level + 1.0) * kLevelOffset, texel, shrink * 0.5));
     precise float keep = 1.0 - blend;
-    if (view.grains) {
+    if (view.grains != kNoGrains) {
         fine = grainHeight(fine, mantissa, kGrainHeight);
         coarse = grainHeight(coarse, mantissa, 0.5 * kGrainHeight);
     }

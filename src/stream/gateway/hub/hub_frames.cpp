@@ -102,7 +102,7 @@ DrawRequest Hub::drawRequest(const Viewer& of, const ViewRequest& view, bool isM
     request.askedWidth = std::uint32_t(view.width);
     request.scene = withView(scene_, fromHome(view, viewOfScene_), scaled(view.width), scaled(view.height));
     LicOptions& lic = request.scene.lic;
-    if (isMoving && lic.flow == FlowMotion::loop) {  // A cycle takes the work of three pictures.
+    if (isMoving && lic.flow == FlowMotion::loop) {  // A cycle takes the work of three or four.
         lic.flow = FlowMotion::off;
         lic.kernel = Kernel::hann;
     }

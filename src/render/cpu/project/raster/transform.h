@@ -40,7 +40,7 @@ struct TriangleBox {
     std::int16_t beside = 0;      ///< At which sides a pixel more is within the margin of setUpTriangles().
 
     static constexpr int kLeft = 1, kTop = 2, kRight = 4, kBottom = 8;
-    /// With those pixels.
+    /// With those pixels. A margin of a pixel reaches one more at the most.
     TriangleBox withBeside() const
     {
         const auto has = [&](int side) { return std::int32_t((beside & side) != 0); };

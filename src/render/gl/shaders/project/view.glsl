@@ -12,6 +12,6 @@ layout(std140, binding = 0) uniform ViewBlock {
     int firstRow, rows;     // What the frame's textures hold of the image: the first row, global, and how many.
     bool normalizeSteps;
     float vectorFactor, vectorUnit;  // Between the data's unit of vectors and the kernels'.
-    bool grains;  // The noise's texels are grains or nothing (render/lic/noise.h).
+    uint grains;  // What the noise's texels stand for: GrainValue (render/lic/noise.h).
     float fadePerVector;
 } view;
