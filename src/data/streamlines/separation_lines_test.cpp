@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include "base/mixed_bits.h"
 #include "data/builtin/surfaces.h"
@@ -21,9 +22,8 @@ struct FoundLine {
     std::vector<glm::dvec3> places;
 };
 
-std::vector<FoundLine> foundOn(const std::string& builtin, const Field& flow, double persistence = 0.01)
+std::vector<FoundLine> foundOn(const SurfaceMesh& mesh, const Field& flow, double persistence = 0.01)
 {
-    const SurfaceMesh mesh = makeBuiltinSurface(builtin);
     std::vector<glm::vec3> vectors;
     for (const glm::vec3& p : mesh.positions) vectors.push_back(flow(p));
     std::vector<FoundLine> found;
@@ -32,6 +32,11 @@ std::vector<FoundLine> foundOn(const std::string& builtin, const Field& flow, do
         for (const SurfacePlace& place : line.places) found.back().places.push_back(positionWorld(mesh, place));
     }
     return found;
+}
+
+std::vector<FoundLine> foundOn(const std::string& builtin, const Field& flow, double persistence = 0.01)
+{
+    return foundOn(makeBuiltinSurface(builtin), flow, persistence);
 }
 
 /// Runs along x and comes together at y = 0, or parts there.
@@ -61,6 +66,35 @@ TEST(SeparationLines, AreWhereStreamlinesComeTogether)
     const auto found = foundOn("plane:8000", towards(-6));
     EXPECT_LE(found.size(), 2u);
     EXPECT_GT(lengthAtZero(found, true), 1);
+}
+
+/// Half axes 2, 1, 1. The flow runs from both ends to a circle around the long axis, and turns into it.
+TEST(SeparationLines, OnAnEllipsoidLieWithinAnEdgeOfWhereTheFlowMeets)
+{
+    SurfaceMesh mesh = makeBuiltinSurface("sphere:5000");
+    float radius = 0;
+    for (const glm::vec3& p : mesh.positions) radius = std::max(radius, glm::length(p));
+    for (glm::vec3& p : mesh.positions) p = p / radius * glm::vec3(2, 1, 1);
+    constexpr double meets = 105 * std::numbers::pi / 180;
+    const auto angleOf = [](const glm::dvec3& p) { return std::acos(std::clamp(p.x / 2, -1.0, 1.0)); };
+    const Field flow = [&](const glm::vec3& p) {
+        const double angle = angleOf(p), around = std::atan2(double(p.z), double(p.y));
+        const glm::dvec3 towardsEnd(-2 * std::sin(angle), std::cos(angle) * std::cos(around),
+                                    std::cos(angle) * std::sin(around)),
+            turn(0, -std::sin(around), std::cos(around));
+        return glm::vec3((meets - angle) * towardsEnd + 0.4 * std::sin(angle) * turn);
+    };
+    const double area = 21.5, edge = std::sqrt(area / double(mesh.triangles.size()) * 4 / std::sqrt(3.0));
+    const double perRadian = std::hypot(2 * std::sin(meets), std::cos(meets));
+    const std::vector<FoundLine> found = foundOn(mesh, flow);
+    double length = 0;
+    for (const FoundLine& each : found) {
+        EXPECT_TRUE(each.line.separates);
+        length += each.line.lengthWorld;
+        for (const glm::dvec3& place : each.places)
+            EXPECT_NEAR(angleOf(place), meets, edge / perRadian) << place.x << ' ' << place.y << ' ' << place.z;
+    }
+    EXPECT_GT(length, 0.9 * 2 * std::numbers::pi * std::sin(meets));
 }
 
 TEST(SeparationLines, OfAttachmentAreWhereStreamlinesPart)
