@@ -204,9 +204,8 @@ void forEachOption(Scene&& scene, Visit&& visit)
         Option{
             lic, "flow", "--flow", "",
             "loop: streaks run along the flow, and after the last picture of the animation, which has 48 unless told "
-            "otherwise, comes the first; dense ones with the hann kernel, oriented ones as comets; with --normalize "
-            "off "
-            "they run as fast as the vectors are long"},
+            "otherwise, comes the first; dense ones with the hann kernel, oriented ones as comets; with "
+            "--normalize off they run as fast as the vectors are long"},
         scene.lic.flow, choice<FlowMotion>);
     visit(Option{lic, "normalize", "--normalize", "",
                  "off: steps in proportion to the vectors, the largest taking --step"},

@@ -22,20 +22,19 @@ void convolveFrame(const LicOptions& lic, Backend& backend, FrameGroup& group, F
     backend.convolve(lic, stripe, group.guards(backend, plan).get());
     backend.smooth(lic, stripe, group.beside(plan).get(), plan.edgeRows);
 }
+
+/// The last step of the LIC stage: the means around are taken off.
 void flattenFrame(const LicOptions& lic, Backend& backend, FrameGroup& group, const FramePlan& plan)
 {
     backend.flatten(lic, plan.rows.stripe, group.beside(plan).get(), plan.edgeRows);
 }
 
-bool isComets(const LicOptions& lic)
-{
-    return lic.flow == FlowMotion::loop && lic.style == Style::oriented && lic.method != LicMethod::none;
-}
-
-/// The LIC stage of a frame whose values are mixed from some that are kept: convolves these.
+/// The runs of the LIC stage that a frame's values are mixed from (phase_mix.h). Between two of them the surface may
+/// get other noise.
 void convolveRuns(View view, const LicOptions& lic, Backend& backend, FrameGroup& group, FramePlan& plan,
                   FrameClock& clock)
 {
+    const bool isComets = phase_mix::isComets(lic);
     int kept = 0;
     for (const phase_mix::Run& run : phase_mix::runsOf(lic)) {
         if (run.grains != view.noise.grains) {
@@ -51,11 +50,11 @@ void convolveRuns(View view, const LicOptions& lic, Backend& backend, FrameGroup
             LicOptions ofRun = lic;
             ofRun.phase = run.phase;
             convolveFrame(ofRun, backend, group, plan);
-            if (!isComets(lic)) flattenFrame(ofRun, backend, group, plan);
+            if (!isComets) flattenFrame(ofRun, backend, group, plan);
             backend.keepPhase(kept++);
         });
     }
-    if (!isComets(lic)) return;
+    if (!isComets) return;
     clock.time(stages::convolve, [&] {
         backend.mixPhases(phase_mix::MeanOfComets{});
         flattenFrame(lic, backend, group, plan);
@@ -73,7 +72,7 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
     const View view = makeView(request.camera, scene, request.lic);
     const LicOptions lic = inShortSteps(request.lic, view);
     const Palette palette = paletteOf(request, scene);
-    const bool inCycle = request.inCycle && lic.method != LicMethod::none;
+    const bool hasLic = lic.method != LicMethod::none, inCycle = hasLic && request.inCycle;
     const bool again = inCycle && group.cycle().holds(request.camera, lic, palette);
     if (again) frame.plan = group.cycle().plan();
     frame.plan.again = again;
@@ -95,7 +94,7 @@ void startFrame(const FrameRequest& request, const Scene& scene, Backend& backen
         group.composite(frame.plan, share);
         backend.complete(view, rows.drawn);
     });
-    const bool isMixed = inCycle || isComets(lic);
+    const bool isMixed = inCycle || (hasLic && phase_mix::isComets(lic));
     if (isMixed && !again) convolveRuns(view, lic, backend, group, frame.plan, clock);
     clock.time(stages::convolve, [&] {  // Noise along streams.
         if (isMixed) return backend.mixPhases(phase_mix::mixtureOf(lic));

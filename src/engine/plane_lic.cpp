@@ -16,6 +16,7 @@
 #include "render/cpu/lic/lic_stage.h"
 #include "render/lic/jump_plan.h"
 #include "render/lic/lic_kernel.h"
+#include "render/lic/phase_mix.h"
 #include "render/limits.h"
 #include "render/view.h"
 
@@ -43,7 +44,7 @@ void check(const PlaneFlow& flow, const LicOptions& lic)
     if (flow.axial && lic.style == Style::oriented)
         throw InputError("lic2d", "found polarization with style=oriented",
                          "style=dense: without signs no way is forwards");
-    if (lic.flow == FlowMotion::loop && lic.style == Style::oriented)
+    if (phase_mix::isComets(lic))
         throw InputError("lic2d", "found flow=loop together with style=oriented", "one or the other on a plane");
     SceneDescription scene;
     scene.lic = lic;

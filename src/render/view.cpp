@@ -57,8 +57,7 @@ View makeView(const Camera& camera, const Scene& scene, const LicOptions& lic)
     view.noiseSeed = lic.seed;
     view.noiseStyle = lic.style;
     view.noise = makeNoiseLookup(scene.boundsWorld.diagonal() / view.unitWorld, lic.noiseScale, lic.style);
-    if (lic.flow == FlowMotion::loop && lic.style == Style::oriented)
-        view.noise.grains = phase_mix::runsOf(lic).front().grains;
+    if (phase_mix::isComets(lic)) view.noise.grains = phase_mix::runsOf(lic).front().grains;
     return view;
 }
 

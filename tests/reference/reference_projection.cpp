@@ -101,9 +101,8 @@ double noiseAt(const NoisePyramid& noise, const NoiseLookup& lookup, const glm::
     const double mantissa = std::exp2(-level) * wanted;
     const bool isPhased = lookup.grains == GrainValue::cosine || lookup.grains == GrainValue::sine;
     const auto phaseOf = [&](std::size_t x, std::size_t y, std::size_t z) {
-        std::uint32_t hash = std::uint32_t(NoisePyramid::index(x, y, z)) * grains::kHashFirst;
-        hash = (hash ^ (hash >> 15)) * grains::kHashSecond;
-        const double phase = 2 * std::numbers::pi * (hash >> 28) / grains::kPhases;
+        const std::uint32_t sixteenths = grains::phaseOf(std::uint32_t(NoisePyramid::index(x, y, z)));
+        const double phase = 2 * std::numbers::pi * sixteenths / grains::kPhases;
         return lookup.grains == GrainValue::cosine ? std::cos(phase) : std::sin(phase);
     };
     const auto trilinear = [&](int o) {

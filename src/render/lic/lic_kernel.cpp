@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "render/lic/noise.h"
+#include "render/lic/phase_mix.h"
 
 namespace aeolic {
 namespace {
@@ -47,7 +48,7 @@ KernelModel makeKernelModel(const LicOptions& lic)
         kernel.ofFirst = float(std::cos(phase));
         kernel.ofSecond = float(std::sin(phase));
     };
-    if (lic.style == Style::oriented && lic.flow == FlowMotion::loop) {
+    if (phase_mix::isComets(lic)) {
         kernel.shape = Shape::wave;
         kernel.meanWeight = 0.5;
         kernel.concentration = 1.5;

@@ -39,8 +39,9 @@ struct NoisePyramid {
     explicit NoisePyramid(std::uint32_t seed, Style style = Style::dense);
 };
 
-/// What the texels of grains stand for; `none`: they are noise. `cosine` and `sine`: a grain's height times those of a
-/// phase of its own (grains::kWave), which streaks need that flow.
+/// What a white texel of the tile stands for. none: noise, as a black one does. height: a grain. cosine and sine: a
+/// grain's height times the cosine or the sine of its phase (grains::phaseOf()), of which comets are made
+/// (phase_mix.h).
 enum class GrainValue : std::uint32_t { none, height, cosine, sine };
 
 /// How a pixel looks its noise up; one for the whole frame.
@@ -71,14 +72,19 @@ inline constexpr float kBlendFrom = 1.26f, kBlendTo = 1.587f;
 /// Height of a grain in the finer level where m is 1; in the coarser level half of that.
 inline constexpr float kHeight = 0.5f;
 
-/// A grain's phase is one of these, as evenly as its texel's hash is. The sine is the cosine of a quarter less.
+/// A grain has one of these phases, a sixteenth of a turn apart. These are their cosines; the sine of a phase is the
+/// cosine of a quarter of a turn before.
 inline constexpr int kPhases = 16;
 inline constexpr std::array<float, kPhases> kWave{
     1.0f,  0.92387953f,  0.70710678f,  0.38268343f,  0.0f, -0.38268343f, -0.70710678f, -0.92387953f,
     -1.0f, -0.92387953f, -0.70710678f, -0.38268343f, 0.0f, 0.38268343f,  0.70710678f,  0.92387953f};
-/// The hash of a texel, of which NoisePyramid::index() is i: i * first, that with its upper bits xored into the lower
-/// ones, times the second. The upper four bits tell the phase.
 inline constexpr std::uint32_t kHashFirst = 0x9E3779B1u, kHashSecond = 0x85EBCA77u;
+/// The phase of the grain in a texel, `texel` being its NoisePyramid::index(): four bits of a hash.
+constexpr std::uint32_t phaseOf(std::uint32_t texel)
+{
+    const std::uint32_t hash = texel * kHashFirst;
+    return ((hash ^ (hash >> 15)) * kHashSecond) >> 28;
+}
 
 }  // namespace grains
 

@@ -41,23 +41,29 @@ inline Weights weights(double phase)
     return all;
 }
 
-/// Of the phase of comets.
+/// A frame's phase, by which comets are turned.
 struct Turned {
     float cosine, sine;
 };
-/// In the place of a phase: the mean of all phases.
+/// Asks for the mean of all phases, which is no picture of comets but is kept for those.
 struct MeanOfComets {};
 
-/// A comet's brightness at an angle, less its mean: cosines and sines of one, two and three times the angle, which is
-/// that of the head at half a turn. It is the square of a ramp, without its higher harmonics and most of their ripples
-/// (roots of Lanczos's factors). Eight pictures tell all that lie between (web/picture/cycle.js), and they hold three
-/// harmonics.
+/// A comet along its streak, which is one turn long: factors of the cosines and sines of one, two and three times the
+/// angle, less the mean. The head is at half a turn. It is the square of a ramp, without its higher harmonics and most
+/// of their ripples (roots of Lanczos's factors): eight pictures tell all that lie between (web/picture/cycle.js), and
+/// they hold three harmonics.
 struct Comet {
     static constexpr std::array<float, 3> kCosine{-0.09614f, 0.02021f, -0.00617f}, kSine{0.30203f, -0.12699f, 0.05813f};
-    /// How bright a streak is counts by this for what changes, and by the other for the mean of all phases, less the
-    /// mean of all pixels.
+    /// A pixel's value is the streak's brightness times kContrast times the comet, and the mean of all phases: the
+    /// streak's brightness times kMean, less kTakenOff, its mean over all pixels by measurement.
     static constexpr float kContrast = 2.8f, kMean = 2.8f / 3, kTakenOff = 0.52f;
 };
+
+/// Whether these options draw comets.
+inline bool isComets(const LicOptions& lic)
+{
+    return lic.flow == FlowMotion::loop && lic.style == Style::oriented;
+}
 
 /// What makes a frame's values of those that are kept.
 using Mixture = std::variant<Weights, Turned, MeanOfComets>;

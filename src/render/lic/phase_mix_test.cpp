@@ -72,11 +72,7 @@ TEST(PhaseMix, ACometHasItsHeadAtHalfATurn)
 TEST(PhaseMix, PhasesOfGrainsAreSpread)
 {
     int count[grains::kPhases] = {};
-    for (std::uint32_t texel = 0; texel < 1u << 18; ++texel) {
-        std::uint32_t hash = texel * grains::kHashFirst;
-        hash = (hash ^ (hash >> 15)) * grains::kHashSecond;
-        ++count[hash >> 28];
-    }
+    for (std::uint32_t texel = 0; texel < 1u << 18; ++texel) ++count[grains::phaseOf(texel)];
     for (const int of : count) EXPECT_NEAR(of, (1 << 18) / grains::kPhases, 600);
     for (int k = 0; k < grains::kPhases; ++k)
         EXPECT_NEAR(double(grains::kWave[std::size_t(k)]), std::cos(2 * std::numbers::pi * k / grains::kPhases), 1e-7);

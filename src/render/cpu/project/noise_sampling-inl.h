@@ -45,21 +45,22 @@ HWY_INLINE NoiseFace<V> noiseFace(D df, VU bits)
     }
 }
 
-/// Of the grain in each lane's cell, of which it has one at most: the cosine or the sine of its phase. `corners`: the
-/// cell's texels, a bit each; x, y, z: its first.
+/// The cosine or the sine of a grain's phase, as grains::phaseOf() tells it: of the one grain that a cell can have.
+/// `corners`: the cell's texels, a bit each, of which the first is at x, y and z. Anything where there is no grain.
 template <class D, class VU, class VI, class V = hn::Vec<D>>
 HWY_INLINE V grainPhase(D d, GrainValue value, VU corners, VI x, VI y, VI z)
 {
     const hn::RebindToSigned<D> di;
     const hn::RebindToUnsigned<D> du;
-    const auto beside = [&](VI first, std::uint32_t corners1) AEOLIC_INLINE {
-        const auto isNext = hn::Ne(hn::And(corners, hn::Set(du, corners1)), hn::Zero(du));
+    // `farther`: the corners that are one texel on in this direction.
+    const auto texelOf = [&](VI first, std::uint32_t farther) AEOLIC_INLINE {
+        const auto isNext = hn::Ne(hn::And(corners, hn::Set(du, farther)), hn::Zero(du));
         const auto next = hn::Sub(first, hn::VecFromMask(di, hn::RebindMask(di, isNext)));
         return hn::BitCast(du, hn::And(next, hn::Set(di, NoisePyramid::kSize - 1)));
     };
     static_assert(NoisePyramid::kSize == 64);
     auto hash =
-        hn::Or(beside(x, 0xAAu), hn::Or(hn::ShiftLeft<6>(beside(y, 0xCCu)), hn::ShiftLeft<12>(beside(z, 0xF0u))));
+        hn::Or(texelOf(x, 0xAAu), hn::Or(hn::ShiftLeft<6>(texelOf(y, 0xCCu)), hn::ShiftLeft<12>(texelOf(z, 0xF0u))));
     hash = hn::Mul(hash, hn::Set(du, grains::kHashFirst));
     hash = hn::Mul(hn::Xor(hash, hn::ShiftRight<15>(hash)), hn::Set(du, grains::kHashSecond));
     static_assert(grains::kPhases == 16);

@@ -1,5 +1,8 @@
 #include "render/gl/device/programs.h"
 
+#include <fmt/ranges.h>
+
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <stdexcept>
@@ -41,6 +44,12 @@ std::string constant(const char* name, T value)
     else
         std::snprintf(text, sizeof text, "const float %s = float(%.9g);\n", name, double(value));
     return text;
+}
+
+template <std::size_t kCount>
+std::string constants(const char* name, const std::array<float, kCount>& values)
+{
+    return fmt::format("const float {}[{}] = float[](float({:.9g}));\n", name, kCount, fmt::join(values, "), float("));
 }
 
 const std::string& constants()
@@ -91,10 +100,9 @@ const std::string& constants()
         add("kGrainHeight", grains::kHeight);
         add("kGrainHashFirst", grains::kHashFirst);
         add("kGrainHashSecond", grains::kHashSecond);
-        for (std::size_t k = 0; k < 3; ++k) {
-            add(("kCometCosine" + std::to_string(k + 1)).c_str(), phase_mix::Comet::kCosine[k]);
-            add(("kCometSine" + std::to_string(k + 1)).c_str(), phase_mix::Comet::kSine[k]);
-        }
+        lines += constants("kGrainWave", grains::kWave);
+        lines += constants("kCometCosine", phase_mix::Comet::kCosine);
+        lines += constants("kCometSine", phase_mix::Comet::kSine);
         add("kCometMean", phase_mix::Comet::kMean);
         add("kCometContrast", phase_mix::Comet::kContrast);
         add("kCometTakenOff", phase_mix::Comet::kTakenOff);

@@ -27,8 +27,8 @@ void main()
     precise float c = fma(re, turned.x, im * turned.y) * inverse, s = (im * turned.x - re * turned.y) * inverse;
     precise float c2 = (c + c) * c - 1.0, s2 = (c + c) * s;
     precise float c3 = c * ((c2 + c2) - 1.0), s3 = s * fma(c2, 2.0, 1.0);
-    precise float first = fma(kCometCosine1, c, kCometSine1 * s), second = fma(kCometCosine2, c2, kCometSine2 * s2);
-    precise float comet = first + (second + fma(kCometCosine3, c3, kCometSine3 * s3));
+    precise float first = fma(kCometCosine[0], c, kCometSine[0] * s), second = fma(kCometCosine[1], c2, kCometSine[1] * s2);
+    precise float comet = first + (second + fma(kCometCosine[2], c3, kCometSine[2] * s3));
     precise float value = fma(bright * kCometContrast, comet, texelFetch(mean, texel, 0).r);
 #endif
     imageStore(licImage, texel, vec4(value));

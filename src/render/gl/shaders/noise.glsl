@@ -15,18 +15,15 @@ float noiseFace(uint cell, int k, vec3 weight)
 }
 
 const uint kNoGrains = 0u, kGrainHeights = 1u, kGrainCosines = 2u, kGrainSines = 3u;  // GrainValue.
-// grains::kWave.
-const float kWave[16] = float[](1.0, 0.92387953, 0.70710678, 0.38268343, 0.0, -0.38268343, -0.70710678, -0.92387953,
-                                -1.0, -0.92387953, -0.70710678, -0.38268343, 0.0, 0.38268343, 0.70710678, 0.92387953);
 
-// Of the grain in a cell, of which it has one at most: the cosine or the sine of its phase.
+// The cosine or the sine of a grain's phase, as grains::phaseOf() tells it: of the one grain that a cell can have.
 float grainPhase(uint cell, ivec3 first)
 {
     ivec3 beside = ivec3((cell & 0xAAu) != 0u, (cell & 0xCCu) != 0u, (cell & 0xF0u) != 0u);
     uvec3 grain = uvec3(first + beside & kNoiseSize - 1);
     uint hash = (grain.x | grain.y << 6 | grain.z << 12) * kGrainHashFirst;
     hash = (hash ^ hash >> 15) * kGrainHashSecond;
-    return kWave[(hash >> 28) + (view.grains == kGrainSines ? 12u : 0u) & 15u];
+    return kGrainWave[(hash >> 28) + (view.grains == kGrainSines ? 12u : 0u) & 15u];
 }
 
 // Trilinear noise of one level, -1 to 1; `texel` in that level's texels. Of grains with a phase: 0 to 1, times the
