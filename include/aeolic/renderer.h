@@ -202,8 +202,9 @@ public:
     void setSize(int width, int height);
 
     /// The critical points of the flow along the surface that is shown now, and the lines that leave its saddles, by
-    /// `shading.persistence`: what `shading.overlay` draws. The same on all ranks, and from any number of threads.
-    /// Throws InputError where the surface or its field is in pieces. Cost: O(triangles), parallel, each time.
+    /// `shading.persistence`: what `shading.overlay` draws. The same on all ranks, and from any number of ranks and
+    /// threads. A surface in pieces is gathered on every rank for that; InputError where it has no memory for it. Cost:
+    /// O(triangles), parallel, each time.
     FlowTopology topology();
 
     /// The open lines of separation and attachment of the flow along the surface that is shown now, by
@@ -212,15 +213,14 @@ public:
     FlowTopology separation();
 
     /// Streamlines on the whole surface that is shown now, as far apart in the world as `shading.overlay` says, else 24
-    /// pixels, where the surface's middle is in the description's first view. All ranks get the same lines, from any
-    /// number of threads. Throws InputError where the surface or its field is in pieces. Cost: O(triangles), parallel,
-    /// and that of the lines, each time.
+    /// pixels, where the surface's middle is in the description's first view. The rest is as for topology(). Cost:
+    /// O(triangles), parallel, and that of the lines, each time.
     EvenSurfaceLines streamlines();
 
     /// What the picture shows at pixel (x, y), counted from the upper left; nothing on the background. `camera`:
-    /// another view than the description's first. The moment is the one that info().time tells. The same on all ranks.
-    /// Throws InputError for a pixel outside of the picture, and where the surface or its field is in pieces. Cost:
-    /// O(triangles), parallel; nothing is drawn.
+    /// another view than the description's first. The moment is the one that info().time tells. The same on all ranks,
+    /// and from any number of them. Throws InputError for a pixel outside of the picture. Cost: O(triangles), parallel;
+    /// nothing is drawn. Of a surface in pieces 8 bytes a triangle travel.
     std::optional<PickedPlace> pick(int x, int y, const std::optional<CameraOptions>& camera = {});
 
     /// What all pixels show, as numbers: those of the picture that render({*camera}) gives, or, without a camera,

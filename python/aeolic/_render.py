@@ -167,20 +167,20 @@ class Renderer:
         return PictureBuffers(**self._loaded.buffers(camera_text(camera)))
 
     def topology(self):
-        """The Topology of the flow along the surface as it is shown now: its moment, its persistence. Raises InputError where
-        the surface is in pieces."""
+        """The Topology of the flow along the surface as it is shown now: its moment, its persistence. A
+        surface in pieces is gathered on every rank; InputError where it has no memory for it."""
         from ._topology import topology_of  # It needs this module.
         return topology_of(self)
 
     def separation(self):
-        """The open lines of separation and attachment on the surface as it is shown now, as a Topology without points. Raises
-        InputError where the surface is in pieces."""
+        """The open lines of separation and attachment on the surface as it is shown now, as a Topology without points. The
+        rest is as for topology()."""
         from ._topology import separation_of  # It needs this module.
         return separation_of(self)
 
     def streamlines(self):
         """The Streamlines on the surface as it is shown now, as far apart as overlay= says where the surface's middle is in
-        the picture. Raises InputError where the surface is in pieces."""
+        the picture. The rest is as for topology()."""
         from ._streamlines import streamlines_of  # It needs this module.
         return streamlines_of(self)
 

@@ -92,6 +92,18 @@ FieldVector vectorAt(const GridField& field, const glm::dvec3& pointWorld)
     return found;
 }
 
+std::vector<FieldVector> vectorsAt(const GridField& field, const std::vector<glm::dvec3>& pointsWorld)
+{
+    std::vector<FieldVector> found(pointsWorld.size());
+    parallelRanges(found.size(), rangeGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            found[i] = vectorAt(field, pointsWorld[i]);
+            found[i].vector += 0.0;
+        }
+    });
+    return found;
+}
+
 std::optional<std::array<double, 2>> finiteRange(const std::vector<float>& values)
 {
     return parallelRange(values.size(), [&](Range& range, std::size_t i) { range.add(values[i]); }).get();

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "data/mesh/surface_mesh.h"
 #include "data/vector_field.h"
@@ -17,6 +19,13 @@ struct FieldVector {
 };
 
 FieldVector vectorAt(const GridField& field, const glm::dvec3& pointWorld);
+
+/// [points] The same at many points. No value is -0, as in a sum of what bricks have. Parallel.
+std::vector<FieldVector> vectorsAt(const GridField& field, const std::vector<glm::dvec3>& pointsWorld);
+
+/// vectorsAt() in a field whose bricks several ranks may hold.
+using FieldLookup =
+    std::function<std::vector<FieldVector>(const GridField& field, const std::vector<glm::dvec3>& pointsWorld)>;
 
 /// Least and greatest finite value, or nothing if none is finite. Parallel; the result does not depend on how it is
 /// cut.

@@ -15,11 +15,7 @@ struct Overlays {
     double streamlinesPx = 0;                      ///< Their spacing; 0: none.
     std::optional<std::array<double, 3>> through;  ///< World position: the streamline through the place nearest to it.
 
-    bool any() const { return needsFlow() || edges || outline; }
-    bool needsFlow() const
-    {
-        return topology || separation || streamlinesPx > 0 || through;
-    }  ///< Else the surface alone.
+    bool any() const { return topology || separation || streamlinesPx > 0 || through || edges || outline; }
 };
 
 inline constexpr std::string_view overlayNames[] = {"none",       "streamlines", "topology",

@@ -15,10 +15,7 @@ TEST(Overlays, AreReadFromAList)
     EXPECT_EQ(all->streamlinesPx, 12.5);
     EXPECT_EQ(parseOverlays("streamlines")->streamlinesPx, Overlays::kUsualSpacingPx);
     EXPECT_FALSE(parseOverlays("none")->any());
-    EXPECT_FALSE(parseOverlays("outline,edges")->needsFlow());
-    EXPECT_TRUE(parseOverlays("topology")->needsFlow());
     EXPECT_EQ(parseOverlays("edges,through:1:-2.5:3e-4")->through, (std::array{1.0, -2.5, 3e-4}));
-    EXPECT_TRUE(parseOverlays("through:0:0:0")->needsFlow());
 }
 
 TEST(Overlays, NothingElseIsAList)

@@ -2,8 +2,6 @@
 
 #include <limits>
 
-#include "data/surface_range.h"
-
 namespace aeolic {
 namespace {
 
@@ -24,8 +22,8 @@ const SceneSurface* surfaceOf(const Scene& scene, const SurfaceMesh& mesh, std::
     return mesh.surfaceOf.empty() ? nullptr : &scene.surfaces[mesh.surfaceOf[mesh.triangles[triangle][0]]];
 }
 
-double scalarAt(const Scene& scene, const SurfaceMesh& mesh, const SurfacePlace& place, const glm::dvec3& position,
-                const glm::dvec3& vector)
+double scalarAt(const Scene& scene, const SurfaceMesh& mesh, const SurfacePlace& place, const glm::dvec3& vector,
+                const FieldVector& ofField)
 {
     const SceneSurface* const surface = surfaceOf(scene, mesh, place.triangle);
     if (!scene.hasScalar || (surface && surface->colors == SceneSurface::kPlain)) return kNone;
@@ -34,24 +32,40 @@ double scalarAt(const Scene& scene, const SurfaceMesh& mesh, const SurfacePlace&
         return valueOf(scene.ofVectors, vector, normalAt(mesh, place.triangle, place.weight[1], place.weight[2]));
     if (scene.scalarFromField() && !own) {
         if (scene.ofVectors == ArrayPart::length) return glm::length(vector);
-        const FieldVector found = vectorAt(*scene.scalarField, position);
-        return found.inside ? found.vector.x : kNone;
+        return ofField.inside ? ofField.vector.x : kNone;
     }
     if (!mesh.cellScalars.empty()) return mesh.cellScalars[place.triangle];
     return mesh.pointScalars.empty() ? kNone : between(mesh, place, mesh.pointScalars, 0.0);
 }
 
-glm::dvec3 vectorAt(const Scene& scene, const SurfacePlace& place, const glm::dvec3& position)
+glm::dvec3 vectorAt(const Scene& scene, const SurfacePlace& place, const FieldVector& ofField)
 {
     const SurfaceMesh& mesh = scene.surface;
     const SceneSurface* const surface = surfaceOf(scene, mesh, place.triangle);
     if (surface && !surface->streaks) return glm::dvec3(kNone);
-    if (scene.field && !(surface && surface->ownVectors)) {
-        const FieldVector found = vectorAt(*scene.field, position);
-        return found.inside ? found.vector : glm::dvec3(kNone);
-    }
+    if (scene.field && !(surface && surface->ownVectors)) return ofField.inside ? ofField.vector : glm::dvec3(kNone);
     if (!mesh.cellVectors.empty()) return mesh.cellVectors[place.triangle];
     return mesh.pointVectors.empty() ? glm::dvec3(kNone) : between(mesh, place, mesh.pointVectors, glm::dvec3(0));
+}
+
+std::vector<SurfaceValues> valuesAt(const Scene& scene, const PointFlow& flow, const std::vector<SurfacePlace>& places,
+                                    const FieldLookup& lookUp)
+{
+    std::vector<glm::dvec3> positions;
+    positions.reserve(places.size());
+    for (const SurfacePlace& place : places) positions.push_back(positionWorld(flow.mesh, place));
+    std::vector<FieldVector> scalars(places.size());
+    if (scene.hasScalar && scene.scalarField) scalars = lookUp(*scene.scalarField, positions);
+    std::vector<SurfaceValues> values;
+    values.reserve(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const glm::dvec3 vector = between(flow.mesh, places[i], flow.vectors, glm::dvec3(0));
+        const SceneSurface* const surface = surfaceOf(scene, flow.mesh, places[i].triangle);
+        const bool isOfOtherArray = surface && surface->colors != 0;
+        const double scalar = isOfOtherArray ? kNone : scalarAt(scene, flow.mesh, places[i], vector, scalars[i]);
+        values.push_back({{positions[i].x, positions[i].y, positions[i].z}, {vector.x, vector.y, vector.z}, scalar});
+    }
+    return values;
 }
 
 }  // namespace aeolic

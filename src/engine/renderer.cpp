@@ -74,13 +74,17 @@ std::string commonOf(SceneDescription description)
     return sceneToJson(description);
 }
 
-/// What `find` finds in a scene that is whole. Collective: `call` is what all ranks ask for.
+/// What `find` finds in the whole scene. Collective: `call` is what all ranks ask for.
 template <class State, class Find>
 auto ofWholeScene(State& state, const char* call, const Find& find)
 {
     callTogether(
-        state.group.communicator(), call, [] { return std::string(); }, [&] { requireWhole(state.scene(), call); });
-    return state.arena.execute(find);
+        state.group.communicator(), call, [] { return std::string(); },
+        [&] { requireRoomForWhole(state.scene(), state.ranksOnHost, call); });
+    return state.arena.execute([&] {
+        WholeScene whole = state.whole();
+        return find(whole);
+    });
 }
 
 }  // namespace
@@ -131,7 +135,8 @@ Renderer::Renderer(SceneDescription description, const Data& data, std::shared_p
     state_->colorMap();  // Before the data: a fault in it shows at once.
     for (const SurfaceItem& item : state_->description.surfaces)
         if (item.colormap) state_->colorMap(*item.colormap);
-    state_->load(host.ranks, data, std::move(progress));
+    state_->ranksOnHost = host.ranks;
+    state_->load(data, std::move(progress));
 }
 
 std::shared_ptr<Communicator> joinRanks()
@@ -252,15 +257,17 @@ void Renderer::setShading(const ShadingOptions& shading)
 FlowTopology Renderer::topology()
 {
     State& state = held();
-    return ofWholeScene(state, "topology",
-                        [&] { return flowTopology(state.scene(), state.description.shading.persistence); });
+    return ofWholeScene(state, "topology", [&](WholeScene& whole) {
+        return flowTopology(whole.scene(), state.description.shading.persistence, whole.lookUp());
+    });
 }
 
 FlowTopology Renderer::separation()
 {
     State& state = held();
-    return ofWholeScene(state, "separation",
-                        [&] { return openLines(state.scene(), state.description.shading.persistence); });
+    return ofWholeScene(state, "separation", [&](WholeScene& whole) {
+        return openLines(whole.scene(), state.description.shading.persistence, whole.lookUp());
+    });
 }
 
 EvenSurfaceLines Renderer::streamlines()
@@ -268,8 +275,8 @@ EvenSurfaceLines Renderer::streamlines()
     State& state = held();
     const double asked = overlaysOf(state.description.shading.overlay).streamlinesPx;
     const View view = makeView(state.cameraOf(state.viewOfFrame(0)), state.scene(), state.description.lic);
-    return ofWholeScene(state, "streamlines", [&] {
-        return surfaceStreamlines(state.scene(), view, asked > 0 ? asked : Overlays::kUsualSpacingPx);
+    return ofWholeScene(state, "streamlines", [&](WholeScene& whole) {
+        return surfaceStreamlines(whole.scene(), view, asked > 0 ? asked : Overlays::kUsualSpacingPx, whole.lookUp());
     });
 }
 
@@ -288,10 +295,9 @@ std::optional<PickedPlace> Renderer::pick(int x, int y, const std::optional<Came
             if (x < 0 || y < 0 || x >= size.width || y >= size.height)
                 throw InputError("pick", fmt::format("pixel {},{}", x, y),
                                  fmt::format("0,0 to {},{}", size.width - 1, size.height - 1));
-            requireWhole(state.scene(), "pick");
         });
     const Camera view = state.cameraOf(camera ? *camera : state.viewOfFrame(0));
-    return state.arena.execute([&] { return pickSurface(state.scene(), view, x, y); });
+    return state.arena.execute([&] { return state.whole().pick(view, x, y); });
 }
 
 PictureBuffers Renderer::buffers(const std::optional<CameraOptions>& camera)

@@ -88,7 +88,7 @@ void Renderer::State::nameAs(const State& other)
     colorMaps = other.colorMaps;
 }
 
-void Renderer::State::load(int ranksOnHost, const Data& memory, ProgressFunction progress)
+void Renderer::State::load(const Data& memory, ProgressFunction progress)
 {
     Communicator& ranks = group.communicator();
     StopWatch watch;
@@ -122,7 +122,7 @@ void Renderer::State::tell()
 {
     if (overlaysOf(description.shading.overlay).any())
         runTogether(
-            group.communicator(), [&] { requireOverlay(description.shading, scene()); }, false);
+            group.communicator(), [&] { requireRoomForWhole(scene(), ranksOnHost, "--overlay"); }, false);
     StartedFrame frame;
     setLook(frame);
     const OutputOptions& output = description.output;
@@ -359,7 +359,7 @@ void Renderer::State::startView(const Look& look, bool gather, double moment, st
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
     arena.execute([&] {
-        request.overlay = overlay.of(frame.shading, scene());
+        request.overlay = overlay.of(frame.shading, whole());
         aeolic::startFrame(request, scene(), *backend, group, frame.frame);
     });
     frames.started();

@@ -26,6 +26,7 @@ struct Renderer::State {
     std::optional<tbb::global_control> allowed;  // More threads than cores, where asked for.
     tbb::task_arena arena;
     BackendPlan plan;
+    int ranksOnHost = 1;  // With which this one shares its memory.
     SceneInfo info;
     FrameStats last;
     double now = 0;              // The moment that the scene is at: an animation's, or info.time.
@@ -51,12 +52,13 @@ struct Renderer::State {
     State(SceneDescription description, std::shared_ptr<Communicator> ranks, int cores);
 
     const Scene& scene() const { return loaded->scene(); }
+    WholeScene whole() { return {scene(), group.communicator()}; }
 
     /// Names of files, colour maps' too, mean from now on what they mean to `other`.
     void nameAs(const State& other);
 
-    /// The scene and what draws it. `ranksOnHost`: with which this one shares its memory.
-    void load(int ranksOnHost, const Data& memory, ProgressFunction progress);
+    /// The scene and what draws it.
+    void load(const Data& memory, ProgressFunction progress);
 
     /// Another moment, and which is likely to be next.
     void moveTo(double moment, double next);

@@ -45,7 +45,15 @@ std::optional<Hit> meet(const Ray& ray, const std::array<glm::dvec3, 3>& corners
     return hit;
 }
 
-std::optional<Hit> nearestHit(const Scene& scene, const Camera& camera, const Ray& ray)
+Ray rayThrough(const Scene& scene, const Camera& camera, int x, int y)
+{
+    const double right = (x + 0.5 - 0.5 * camera.width) / camera.focalPx,
+                 down = (y + 0.5 - 0.5 * camera.height) / camera.focalPx;
+    return {camera.positionWorld - scene.surface.originWorld, camera.forward + right * camera.right - down * camera.up};
+}
+
+/// Where a ray meets the scene first, and what else lies in the same place. In no order.
+std::vector<Hit> nearestHits(const Scene& scene, const Camera& camera, const Ray& ray)
 {
     const SurfaceMesh& mesh = scene.surface;
     std::mutex guard;
@@ -65,9 +73,14 @@ std::optional<Hit> nearestHit(const Scene& scene, const Camera& camera, const Ra
     });
     double nearest = std::numeric_limits<double>::infinity();
     for (const Hit& hit : hits) nearest = std::min(nearest, hit.depth);
+    std::erase_if(hits, [&](const Hit& hit) { return hit.depth > nearest * (1 + kSamePlace); });
+    return hits;
+}
+
+std::optional<Hit> shownHit(const std::vector<Hit>& hits)
+{
     std::optional<Hit> shown;
     for (const Hit& hit : hits) {
-        if (hit.depth > nearest * (1 + kSamePlace)) continue;
         const bool isBetter = !shown || (hit.isFront != shown->isFront ? hit.isFront : hit.order < shown->order);
         if (isBetter) shown = hit;
     }
@@ -81,17 +94,28 @@ Vec3 toVec3(const glm::dvec3& v)
 
 }  // namespace
 
-std::optional<PickedPlace> pickSurface(const Scene& scene, const Camera& camera, int x, int y)
+std::vector<std::uint32_t> trianglesMet(const Scene& piece, const Camera& camera, int x, int y)
 {
-    const double right = (x + 0.5 - 0.5 * camera.width) / camera.focalPx,
-                 down = (y + 0.5 - 0.5 * camera.height) / camera.focalPx;
+    std::vector<std::uint32_t> triangles;
+    for (const Hit& hit : nearestHits(piece, camera, rayThrough(piece, camera, x, y)))
+        triangles.push_back(hit.place.triangle);
+    return triangles;
+}
+
+std::optional<PickedPlace> pickSurface(const Scene& scene, const Camera& camera, int x, int y,
+                                       const FieldLookup& lookUp)
+{
     const SurfaceMesh& mesh = scene.surface;
-    const Ray ray{camera.positionWorld - mesh.originWorld, camera.forward + right * camera.right - down * camera.up};
-    const auto hit = nearestHit(scene, camera, ray);
+    const Ray ray = rayThrough(scene, camera, x, y);
+    const auto hit = shownHit(nearestHits(scene, camera, ray));
     if (!hit) return std::nullopt;
 
+    const glm::dvec3 position = positionWorld(mesh, hit->place);
+    FieldVector ofField, ofScalarField;
+    if (scene.field) ofField = lookUp(*scene.field, {position}).front();
+    if (scene.scalarField) ofScalarField = lookUp(*scene.scalarField, {position}).front();
+    const glm::dvec3 vector = vectorAt(scene, hit->place, ofField);
     PickedPlace picked;
-    const glm::dvec3 position = positionWorld(mesh, hit->place), vector = vectorAt(scene, hit->place, position);
     const auto& t = mesh.triangles[hit->place.triangle];
     glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(mesh.positions[t[1]]) - glm::dvec3(mesh.positions[t[0]]),
                                                   glm::dvec3(mesh.positions[t[2]]) - glm::dvec3(mesh.positions[t[0]])));
@@ -107,7 +131,7 @@ std::optional<PickedPlace> pickSurface(const Scene& scene, const Camera& camera,
         picked.vector = toVec3(vector);
         picked.tangential = toVec3(vector - glm::dot(vector, normal) * normal);
     }
-    const double scalar = scalarAt(scene, mesh, hit->place, position, vector);
+    const double scalar = scalarAt(scene, mesh, hit->place, vector, ofScalarField);
     const bool isColored = scene.hasScalar && !(surface && surface->colors == SceneSurface::kPlain);
     if (isColored) picked.scalarName = surface ? scene.colors[std::size_t(surface->colors)].name : scene.scalarName;
     if (std::isfinite(scalar)) picked.scalar = scalar;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "data/streamlines/even_streamlines.h"
-#include "engine/flow_values.h"
+#include "engine/place_values.h"
 #include "render/overlay/streamline_strokes.h"
 
 namespace aeolic {
@@ -34,13 +36,21 @@ glm::dvec3 positionOf(const SurfaceValues& place)
     return {place.position[0], place.position[1], place.position[2]};
 }
 
-SurfaceStreamline streamlineOf(const Parts& parts, const FlowValues& values)
+/// All places of a streamline. A part begins where the one before ends.
+std::vector<SurfacePlace> placesOf(const Parts& parts)
+{
+    std::vector<SurfacePlace> places;
+    for (const EvenStreamline* part : parts)
+        for (std::size_t i = part == parts.front() ? 0 : 1; i < part->points.size(); ++i)
+            places.push_back(part->points[i].place);
+    return places;
+}
+
+SurfaceStreamline streamlineOf(const Parts& parts, std::vector<SurfaceValues> places)
 {
     SurfaceStreamline line;
     line.closed = parts.size() == 1 && parts[0]->points.front().at == parts[0]->points.back().at;
-    for (const EvenStreamline* part : parts)  // A part begins where the one before ends.
-        for (std::size_t i = part == parts.front() ? 0 : 1; i < part->points.size(); ++i)
-            line.places.push_back(values.at(part->points[i].place));
+    line.places = std::move(places);
     for (std::size_t i = 1; i < line.places.size(); ++i)
         line.length += glm::distance(positionOf(line.places[i]), positionOf(line.places[i - 1]));
     return line;
@@ -48,9 +58,9 @@ SurfaceStreamline streamlineOf(const Parts& parts, const FlowValues& values)
 
 }  // namespace
 
-EvenSurfaceLines surfaceStreamlines(const Scene& scene, const View& view, double spacingPx)
+EvenSurfaceLines surfaceStreamlines(const Scene& scene, const View& view, double spacingPx, const FieldLookup& lookUp)
 {
-    const PointFlow flow = pointFlow(scene);
+    const PointFlow flow = pointFlow(scene, lookUp);
     const glm::vec3 middle = fromEye(view, glm::vec3(0));
     const double depth = std::max(double(middle.z), view.nearDepth) * view.unitWorld;
     const double askedWorld = double(spacingIn(view.camera, spacingPx)) * depth / double(view.focalPx);
@@ -62,8 +72,17 @@ EvenSurfaceLines surfaceStreamlines(const Scene& scene, const View& view, double
     all.refineTo(level);
     if (all.levels() == 0) return found;
     found.spacing = all.spacing(std::min(level, all.levels() - 1)) * all.unitWorld();
-    const FlowValues values(scene, flow);
-    for (const Parts& parts : chainsOf(all.lines(), level + 1)) found.lines.push_back(streamlineOf(parts, values));
+    const std::vector<Parts> chains = chainsOf(all.lines(), level + 1);
+    std::vector<std::size_t> counts;
+    std::vector<SurfacePlace> places;
+    for (const Parts& parts : chains) {
+        const std::vector<SurfacePlace> own = placesOf(parts);
+        counts.push_back(own.size());
+        places.insert(places.end(), own.begin(), own.end());
+    }
+    ValuesInTurn values(valuesAt(scene, flow, places, lookUp));
+    for (std::size_t i = 0; i < chains.size(); ++i)
+        found.lines.push_back(streamlineOf(chains[i], values.next(counts[i])));
     return found;
 }
 

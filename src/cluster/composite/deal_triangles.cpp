@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "cluster/composite/triangle_messages.h"
+#include "data/mesh/triangle_order.h"
 
 namespace aeolic {
 namespace {
@@ -74,28 +74,6 @@ Indices unusedPoints(const SurfaceMesh& mesh)
     return unused;
 }
 
-template <class Value>
-void permute(std::vector<Value>& values, const Indices& places)
-{
-    if (values.empty()) return;
-    std::vector<Value> sorted;
-    sorted.reserve(places.size());
-    for (const std::uint32_t place : places) sorted.push_back(values[place]);
-    values.swap(sorted);
-}
-
-/// Strips come behind the polygons of all pieces, whichever rank read them.
-void sortTriangles(SurfaceMesh& mesh)
-{
-    if (std::is_sorted(mesh.order.begin(), mesh.order.end())) return;
-    Indices places(mesh.order.size());
-    std::iota(places.begin(), places.end(), 0u);
-    std::sort(places.begin(), places.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return mesh.order[a] < mesh.order[b]; });
-    permute(mesh.triangles, places);
-    forEachTriangleArray(mesh, [&](auto& values) { permute(values, places); });
-}
-
 }  // namespace
 
 SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const GridField& field,
@@ -124,7 +102,7 @@ SurfaceMesh dealToBricks(Communicator& communicator, SurfaceMesh piece, const Gr
         takeTriangles(message, mine);
         message.bytes = {};
     }
-    sortTriangles(mine);
+    sortTriangles(mine);  // Strips come behind the polygons of all pieces, whichever rank read them.
     return mine;
 }
 

@@ -1,7 +1,5 @@
 #include "cluster/composite/triangle_messages.h"
 
-#include <algorithm>
-#include <array>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -58,27 +56,28 @@ void requireComplete(const SurfaceMesh& mesh, int sender)
 
 }  // namespace
 
-Bytes triangleMessage(const SurfaceMesh& mesh, const Indices& triangles, Indices points)
+Bytes triangleMessage(const SurfaceMesh& mesh, const Indices& triangles, const Indices& points)
 {
-    for (const std::uint32_t triangle : triangles)
-        points.insert(points.end(), mesh.triangles[triangle].begin(), mesh.triangles[triangle].end());
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
     Bytes bytes;
-    if (points.empty()) return bytes;
-    std::vector<std::array<std::uint32_t, 3>> corners;
-    corners.reserve(triangles.size());
-    for (const std::uint32_t triangle : triangles) {
-        std::array<std::uint32_t, 3> renumbered;
-        for (std::size_t k = 0; k < 3; ++k)
-            renumbered[k] = std::uint32_t(std::lower_bound(points.begin(), points.end(), mesh.triangles[triangle][k]) -
-                                          points.begin());
-        corners.push_back(renumbered);
+    if (triangles.empty() && points.empty()) return bytes;
+    std::vector<std::uint32_t> number(mesh.positions.size(), 0);  // 1: the point travels.
+    for (const std::uint32_t point : points) number[point] = 1;
+    for (const std::uint32_t triangle : triangles)
+        for (const std::uint32_t corner : mesh.triangles[triangle]) number[corner] = 1;
+    Indices travelling;
+    for (std::uint32_t point = 0; point < number.size(); ++point) {
+        if (number[point] == 0) continue;
+        number[point] = std::uint32_t(travelling.size());
+        travelling.push_back(point);
     }
-    const std::uint64_t count = corners.size();
+    const std::uint64_t count = triangles.size();
     appendBytes(bytes, &count, 1);
-    appendBytes(bytes, corners.data(), corners.size());
-    forEachPointArray(mesh, [&](const auto& values) { appendValues(bytes, values, points); });
+    for (const std::uint32_t triangle : triangles) {
+        auto corners = mesh.triangles[triangle];
+        for (std::uint32_t& corner : corners) corner = number[corner];
+        appendBytes(bytes, corners.data(), corners.size());
+    }
+    forEachPointArray(mesh, [&](const auto& values) { appendValues(bytes, values, travelling); });
     forEachTriangleArray(mesh, [&](const auto& values) { appendValues(bytes, values, triangles); });
     return bytes;
 }

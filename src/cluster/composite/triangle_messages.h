@@ -22,7 +22,7 @@ void forEachTriangleArray(Mesh& mesh, const Visit& visit)
 /// vectors and scalars of the triangles. Each begins with its number of values (64 bits; 0: the mesh has no such
 /// array).
 Bytes triangleMessage(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& triangles,
-                      std::vector<std::uint32_t> points);
+                      const std::vector<std::uint32_t>& points);
 
 /// Appends what a message holds to `mesh`, its points numbered after those there. Throws std::runtime_error naming the
 /// sender of a message that is malformed, or has other arrays than those before.

@@ -1,7 +1,6 @@
 #include "data/load/surface_message.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "aeolic/error.h"
 #include "base/fnv.h"
 #include "base/same_place.h"
+#include "data/mesh/triangle_order.h"
 
 namespace aeolic {
 namespace {
@@ -48,30 +48,6 @@ template <class Value>
 void appendAll(std::vector<Value>& all, const std::vector<Value>& more)
 {
     all.insert(all.end(), more.begin(), more.end());
-}
-
-template <class Value>
-void permute(std::vector<Value>& values, const std::vector<std::uint32_t>& places)
-{
-    if (values.empty()) return;
-    std::vector<Value> sorted;
-    sorted.reserve(places.size());
-    for (const std::uint32_t place : places) sorted.push_back(values[place]);
-    values.swap(sorted);
-}
-
-void sortTriangles(SurfaceMesh& mesh)
-{
-    if (!std::is_sorted(mesh.order.begin(), mesh.order.end())) {
-        std::vector<std::uint32_t> places(mesh.order.size());
-        std::iota(places.begin(), places.end(), 0u);
-        std::stable_sort(places.begin(), places.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return mesh.order[a] < mesh.order[b]; });
-        permute(mesh.triangles, places);
-        permute(mesh.cellVectors, places);
-        permute(mesh.cellScalars, places);
-    }
-    mesh.order = {};
 }
 
 /// Points come in the order in which triangles use them, whatever pieces they came from.
@@ -292,6 +268,7 @@ LoadedSurface joinPieces(std::vector<LoadedSurface> pieces, bool welds)
     LoadedSurface all = appendPieces(std::move(pieces), welds);
     placePiece(all, factsOf(all));
     sortTriangles(all.mesh);
+    all.mesh.order = {};
     sortPoints(all.mesh, all.pointIds);
     all.where = all.mesh.name;
     all.piece = false;

@@ -9,7 +9,6 @@
 #include "data/cells/near_wall.h"
 #include "data/cells/refine.h"
 #include "data/cells_to_points.h"
-#include "data/surface_range.h"
 
 namespace aeolic {
 namespace {
@@ -39,14 +38,26 @@ void refine(SurfaceMesh& mesh, const std::shared_ptr<const GridField>& field)
     }
 }
 
+std::vector<glm::dvec3> placesWorld(const SurfaceMesh& mesh)
+{
+    std::vector<glm::dvec3> places;
+    places.reserve(mesh.positions.size());
+    for (const glm::vec3& position : mesh.positions) places.push_back(mesh.originWorld + glm::dvec3(position));
+    return places;
+}
+
 }  // namespace
 
-PointFlow pointFlow(const Scene& scene)
+PointFlow pointFlow(const Scene& scene, const FieldLookup& lookUp)
 {
     PointFlow flow{scene.surface, {}};
     SurfaceMesh& mesh = flow.mesh;
     if (!mesh.cellVectors.empty()) bringCellsToPoints(mesh);
-    if (scene.field) refine(mesh, scene.field);
+    std::vector<FieldVector> ofField;
+    if (scene.field) {
+        refine(mesh, scene.field);
+        ofField = lookUp(*scene.field, placesWorld(mesh));
+    }
     flow.vectors.resize(mesh.positions.size(), glm::vec3(kNaN));
     parallelRanges(mesh.positions.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -54,10 +65,7 @@ PointFlow pointFlow(const Scene& scene)
             if (surface && !surface->streaks) continue;
             const bool isOwn = !scene.field || (surface && surface->ownVectors);
             if (isOwn && !mesh.pointVectors.empty()) flow.vectors[i] = mesh.pointVectors[i];
-            if (!isOwn) {
-                const FieldVector found = vectorAt(*scene.field, mesh.originWorld + glm::dvec3(mesh.positions[i]));
-                if (found.inside) flow.vectors[i] = glm::vec3(found.vector);
-            }
+            if (!isOwn && ofField[i].inside) flow.vectors[i] = glm::vec3(ofField[i].vector);
         }
     });
     return flow;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "data/scene.h"
+#include "data/surface_range.h"
 
 namespace aeolic {
 
@@ -13,9 +14,9 @@ struct PointFlow {
     std::vector<glm::vec3> vectors;  ///< [points of the mesh] World axes; NaN where no streaks show.
 };
 
-/// The flow that a scene's streaks follow. The scene is whole in this process. Values of triangles are brought to the
-/// points. A field is looked up at the points, and the triangles are cut until they are as fine as its cells. Cost:
-/// O(points), parallel; the mesh is copied.
-PointFlow pointFlow(const Scene& scene);
+/// The flow that a scene's streaks follow. The scene's surface is whole in this process. Values of triangles are
+/// brought to the points. A field is looked up at the points, and the triangles are cut until they are as fine as its
+/// cells. Cost: O(points), parallel; the mesh is copied.
+PointFlow pointFlow(const Scene& scene, const FieldLookup& lookUp = vectorsAt);
 
 }  // namespace aeolic

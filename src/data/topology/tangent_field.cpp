@@ -86,9 +86,10 @@ TangentField tangentField(const SurfaceMesh& mesh, const SurfaceFans& fans, cons
     TangentField field{std::vector<double>(fans.fans()), std::vector<double>(fans.fans()),
                        std::vector<std::uint8_t>(mesh.triangles.size())};
     double longest = 0;
-    for (const glm::vec3& vector : vectors)
-        if (const double length = glm::length(glm::dvec3(vector)); std::isfinite(length))
-            longest = std::max(longest, length);
+    for (const Triangle& triangle : mesh.triangles)  // Points that none has may differ among ranks.
+        for (const std::uint32_t point : triangle)
+            if (const double length = glm::length(glm::dvec3(vectors[point])); std::isfinite(length))
+                longest = std::max(longest, length);
     parallelRanges(fans.fans(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (auto fan = std::uint32_t(begin); fan < end; ++fan) {
             glm::dvec3 sum(0);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "data/mesh/surface_mesh.h"
+
+namespace aeolic {
+
+/// values[i] becomes values[places[i]]; no value, where there is none.
+template <class Value>
+void permute(std::vector<Value>& values, const std::vector<std::uint32_t>& places)
+{
+    if (values.empty()) return;
+    std::vector<Value> sorted;
+    sorted.reserve(places.size());
+    for (const std::uint32_t place : places) sorted.push_back(values[place]);
+    values.swap(sorted);
+}
+
+/// Sorts the triangles by their numbers (SurfaceMesh::order), with all that belongs to them. Those of the same number
+/// stay in their order.
+void sortTriangles(SurfaceMesh& mesh);
+
+/// Of triangles of the same number only the first one stays. The mesh is sorted.
+void dropRepeatedTriangles(SurfaceMesh& mesh);
+
+}  // namespace aeolic

@@ -1,0 +1,67 @@
+#include "engine/whole_scene.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "aeolic/error.h"
+#include "base/memory.h"
+#include "cluster/composite/whole_surface.h"
+#include "engine/surface_pick.h"
+
+namespace aeolic {
+namespace {
+
+/// Of a triangle on each rank: the surface as it travels and as it is kept, and what finds lines on it.
+constexpr std::uint64_t kWholeBytes = 256;
+
+}  // namespace
+
+Scene WholeScene::around(SurfaceMesh surface) const
+{
+    Scene scene = own_;
+    scene.surface = std::move(surface);
+    scene.inPieces = false;
+    return scene;
+}
+
+const Scene& WholeScene::scene()
+{
+    if (!own_.inPieces) return own_;
+    if (!gathered_) {
+        SurfaceMesh all = gatherSurface(ranks_, own_.surface);
+        all.order = {};  // It is in order.
+        gathered_ = around(std::move(all));
+    }
+    return *gathered_;
+}
+
+FieldLookup WholeScene::lookUp()
+{
+    return [this](const GridField& field, const std::vector<glm::dvec3>& pointsWorld) {
+        return vectorsOfAll(ranks_, field, pointsWorld);
+    };
+}
+
+std::optional<PickedPlace> WholeScene::pick(const Camera& camera, int x, int y)
+{
+    if (!own_.inPieces) return pickSurface(own_, camera, x, y, lookUp());
+    const Scene met = around(gatherTriangles(ranks_, own_.surface, trianglesMet(own_, camera, x, y)));
+    std::optional<PickedPlace> place = pickSurface(met, camera, x, y, lookUp());
+    if (place) place->triangle = trianglesBefore(ranks_, own_.surface, place->triangle);
+    return place;
+}
+
+void requireRoomForWhole(const Scene& scene, int ranksOnHost, const char* asks)
+{
+    if (!scene.inPieces) return;
+    const std::uint64_t needed = kWholeBytes * scene.allTriangles * std::uint64_t(ranksOnHost),
+                        available = availableMemoryBytes();
+    if (needed > available)
+        throw InputError(
+            asks,
+            fmt::format("needs all of the surface on each rank, {} MB for the {} of a host", needed >> 20, ranksOnHost),
+            fmt::format("at most the {} MB of memory available", available >> 20));
+}
+
+}  // namespace aeolic
