@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "data/topology/separatrices.h"
+#include "data/topology/sharp_edges.h"
 
 namespace aeolic {
 namespace {
@@ -190,8 +191,9 @@ private:
 double sizeWithFlow(const SurfaceMesh& mesh, const std::vector<glm::vec3>& vectors)
 {
     Bounds box;
-    for (std::size_t i = 0; i < vectors.size(); ++i)
-        if (std::isfinite(glm::length(glm::dvec3(vectors[i])))) box.add(glm::dvec3(mesh.positions[i]));
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t point : triangle)
+            if (std::isfinite(glm::length(glm::dvec3(vectors[point])))) box.add(glm::dvec3(mesh.positions[point]));
     return box.empty() ? 0 : glm::length(box.hi - box.lo);
 }
 
@@ -207,6 +209,7 @@ SurfaceTopology surfaceTopology(const SurfaceMesh& mesh, const std::vector<glm::
     topology.points = criticalPoints(mesh, fans, field);
     topology.lines = linesOf(mesh, fans, field, topology.points, options.longest * size);
     Cancellation(topology, options.persistence * size, options.longest * size).run();
+    layOnSharpEdges(mesh, fans, field, topology);
     return topology;
 }
 

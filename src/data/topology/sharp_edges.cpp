@@ -1,0 +1,158 @@
+#include "data/topology/sharp_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.h"
+#include "data/topology/flat_triangle.h"
+
+namespace aeolic {
+namespace {
+
+/// The faces of a sharp edge turn by more than 40 degrees: the cosine.
+constexpr double kSharp = 0.766;
+
+/// A place on an edge, and which.
+struct LaidPlace {
+    SurfacePlace place;
+    std::uint32_t halfEdge = 0;
+};
+
+/// Lays places on sharp edges at which the flow gathers that is followed in one direction.
+class SharpEdges {
+public:
+    SharpEdges(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field, int direction)
+        : mesh_(mesh), fans_(fans), field_(field), direction_(direction)
+    {
+    }
+
+    /// The nearest place on such an edge that begins or ends at a corner of the place's triangle; nothing where there
+    /// is none.
+    std::optional<LaidPlace> nearestTo(const SurfacePlace& place)
+    {
+        if (!near_ || near_->triangle != place.triangle) near_ = edgesNear(place.triangle);
+        const glm::dvec3 at = positionWorld(mesh_, place);
+        std::optional<LaidPlace> nearest;
+        double least = 0;
+        for (const std::uint32_t h : near_->halfEdges) {
+            const LaidPlace laid = laidOn(at, h);
+            const double distance = glm::distance(positionWorld(mesh_, laid.place), at);
+            if (nearest && distance >= least) continue;
+            nearest = laid;
+            least = distance;
+        }
+        return nearest;
+    }
+
+    /// The point that two edges share; nothing where they share none or both.
+    std::optional<SurfacePlace> between(std::uint32_t a, std::uint32_t b) const
+    {
+        const std::uint32_t endOfA = nextInTriangle(a), endOfB = nextInTriangle(b);
+        const auto isOfB = [&](std::uint32_t c) { return pointAt(c) == pointAt(b) || pointAt(c) == pointAt(endOfB); };
+        if (isOfB(a) == isOfB(endOfA)) return {};
+        const std::uint32_t shared = isOfB(a) ? a : endOfA;
+        SurfacePlace place{shared / 3, glm::dvec3(0)};
+        place.weight[int(shared % 3)] = 1;
+        return place;
+    }
+
+private:
+    struct Near {
+        std::uint32_t triangle = 0;
+        std::vector<std::uint32_t> halfEdges;
+    };
+    Near edgesNear(std::uint32_t triangle) const
+    {
+        Near near{triangle, {}};
+        for (std::uint32_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+            forEachCorner(fans_, fans_.fanOf[corner], [&](std::uint32_t c) {
+                for (const std::uint32_t h : {c, SurfaceFans::previousInTriangle(c)})
+                    if (gathers(h)) near.halfEdges.push_back(h);
+            });
+        return near;
+    }
+
+    LaidPlace laidOn(const glm::dvec3& atWorld, std::uint32_t halfEdge) const
+    {
+        const int begin = int(halfEdge % 3), end = int(nextInTriangle(halfEdge) % 3);
+        SurfacePlace place{halfEdge / 3, glm::dvec3(0)};
+        place.weight[begin] = 1;
+        const glm::dvec3 from = positionWorld(mesh_, place), along = edge(halfEdge);
+        const double part = std::clamp(glm::dot(atWorld - from, along) / glm::dot(along, along), 0.0, 1.0);
+        place.weight[begin] = 1 - part;
+        place.weight[end] = part;
+        return {place, halfEdge};
+    }
+    glm::dvec3 edge(std::uint32_t halfEdge) const
+    {
+        const Triangle& t = mesh_.triangles[halfEdge / 3];
+        return glm::dvec3(mesh_.positions[t[nextInTriangle(halfEdge) % 3]]) -
+               glm::dvec3(mesh_.positions[t[halfEdge % 3]]);
+    }
+    std::uint32_t pointAt(std::uint32_t corner) const { return fans_.triangles[corner / 3][corner % 3]; }
+
+    bool gathers(std::uint32_t halfEdge) const
+    {
+        const std::uint32_t twin = fans_.twin[halfEdge];
+        if (twin == SurfaceFans::kNone || field_.masked[halfEdge / 3] || field_.masked[twin / 3]) return false;
+        const auto normal = [&](std::uint32_t h) { return glm::normalize(areaVector(mesh_, h / 3)); };
+        return glm::dot(normal(halfEdge), normal(twin)) < kSharp && runsTo(halfEdge) && runsTo(twin);
+    }
+
+    /// Whether the flow at the triangle's other corner runs to a side.
+    bool runsTo(std::uint32_t halfEdge) const
+    {
+        const FlatTriangle flat(mesh_, fans_, field_, halfEdge / 3);
+        const glm::dvec2 side = flat.point[nextInTriangle(halfEdge) % 3] - flat.point[halfEdge % 3],
+                         flow = flat.flow[SurfaceFans::previousInTriangle(halfEdge) % 3];
+        return direction_ * glm::dot(flow, glm::dvec2(side.y, -side.x)) > 0;  // The triangle is to its left.
+    }
+
+    const SurfaceMesh& mesh_;
+    const SurfaceFans& fans_;
+    const TangentField& field_;
+    int direction_;
+    std::optional<Near> near_;  // Of the place before: lines have several in a triangle.
+};
+
+std::vector<SurfacePlace> laid(SharpEdges edges, const std::vector<SurfacePlace>& places)
+{
+    std::vector<SurfacePlace> out;
+    std::optional<LaidPlace> last;
+    for (const SurfacePlace& place : places) {
+        const auto found = edges.nearestTo(place);
+        if (last && found)
+            if (const auto point = edges.between(last->halfEdge, found->halfEdge)) out.push_back(*point);
+        out.push_back(found ? found->place : place);
+        last = found;
+    }
+    return out;
+}
+
+}  // namespace
+
+void layOnSharpEdges(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
+                     SurfaceTopology& topology)
+{
+    parallelFor(topology.lines.size(), [&](std::size_t i) {
+        TopologyLine& line = topology.lines[i];
+        line.places = laid(SharpEdges(mesh, fans, field, line.direction), line.places);
+    });
+    for (CriticalPoint& point : topology.points)
+        for (const int direction : {1, -1}) {
+            if (point.kind != CriticalKind::saddle && point.attracts != (direction > 0)) continue;
+            const auto found = SharpEdges(mesh, fans, field, direction).nearestTo(point.place);
+            if (!found) continue;
+            point.place = found->place;
+            break;
+        }
+    for (TopologyLine& line : topology.lines) {  // They begin and end at points.
+        line.places.front() = topology.points[line.saddle].place;
+        if (line.other) line.places.back() = topology.points[*line.other].place;
+    }
+}
+
+}  // namespace aeolic
