@@ -41,6 +41,23 @@ TEST(Separatrices, OfASaddleOnAPlaneAreItsAxes)
     EXPECT_NEAR(ends, 2 * zero.x + 2 * zero.y, 1e-3);  // One to either side of the plane, each way.
 }
 
+/// The flow runs away so slowly beside how it comes that it seems to rest near the saddle.
+TEST(Separatrices, OfASaddleThatLeavesSlowlyAreFound)
+{
+    const SurfaceMesh mesh = makeBuiltinSurface("plane:5000");
+    for (const float slowly : {1.0f, 0.03f, 1e-3f}) {
+        std::vector<glm::vec3> vectors;
+        for (const glm::vec3& p : mesh.positions) vectors.emplace_back(slowly * (p.x - 0.013f), -0.021f - p.y, 0.0f);
+        const SurfaceFans fans = surfaceFans(mesh);
+        const TangentField field = tangentField(mesh, fans, vectors);
+        const std::vector<CriticalPoint> points = criticalPoints(mesh, fans, field);
+        ASSERT_EQ(points.size(), 1u) << slowly;
+        const std::vector<Separatrix> lines = separatrices(mesh, fans, field, points, 100);
+        ASSERT_EQ(lines.size(), 4u) << slowly;
+        for (const Separatrix& line : lines) EXPECT_GT(line.line.lengthWorld, 0.5) << slowly;
+    }
+}
+
 /// Columns of points run through the saddle: two of its lines leave the triangle that it is found in at once.
 TEST(Separatrices, OfASaddleOnASideLeaveToBothSides)
 {

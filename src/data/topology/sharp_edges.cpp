@@ -15,6 +15,9 @@ namespace {
 /// The faces of a sharp edge turn by more than 40 degrees: the cosine.
 constexpr double kSharp = 0.766;
 
+/// Edges that meet make a corner where they bend by more than 45 degrees: the cosine between the ways along them.
+constexpr double kStraightOn = -0.7;
+
 /// A place on an edge, and which.
 struct LaidPlace {
     SurfacePlace place;
@@ -47,16 +50,26 @@ public:
         return nearest;
     }
 
+    /// The nearest corner of the place's triangle in which such edges meet at an angle.
+    std::optional<SurfacePlace> cornerBeside(const SurfacePlace& place)
+    {
+        std::optional<SurfacePlace> nearest;
+        double most = 0;
+        for (std::uint32_t c = 3 * place.triangle; c < 3 * place.triangle + 3; ++c) {
+            if (!meetAtAngle(c) || (nearest && place.weight[int(c % 3)] <= most)) continue;
+            most = place.weight[int(c % 3)];
+            nearest = atCorner(c);
+        }
+        return nearest;
+    }
+
     /// The point that two edges share; nothing where they share none or both.
     std::optional<SurfacePlace> between(std::uint32_t a, std::uint32_t b) const
     {
         const std::uint32_t endOfA = nextInTriangle(a), endOfB = nextInTriangle(b);
         const auto isOfB = [&](std::uint32_t c) { return pointAt(c) == pointAt(b) || pointAt(c) == pointAt(endOfB); };
         if (isOfB(a) == isOfB(endOfA)) return {};
-        const std::uint32_t shared = isOfB(a) ? a : endOfA;
-        SurfacePlace place{shared / 3, glm::dvec3(0)};
-        place.weight[int(shared % 3)] = 1;
-        return place;
+        return atCorner(isOfB(a) ? a : endOfA);
     }
 
 private:
@@ -75,11 +88,30 @@ private:
         return near;
     }
 
+    static SurfacePlace atCorner(std::uint32_t corner)
+    {
+        SurfacePlace place{corner / 3, glm::dvec3(0)};
+        place.weight[int(corner % 3)] = 1;
+        return place;
+    }
+
+    bool meetAtAngle(std::uint32_t corner) const
+    {
+        std::vector<glm::dvec3> ways;
+        // An edge that gathers has two triangles, of which the one to its left begins with it here.
+        forEachCorner(fans_, fans_.fanOf[corner], [&](std::uint32_t c) {
+            if (gathers(c)) ways.push_back(glm::normalize(edge(c)));
+        });
+        bool bends = false;
+        for (const glm::dvec3& a : ways)
+            for (const glm::dvec3& b : ways) bends = bends || (&a != &b && glm::dot(a, b) > kStraightOn);
+        return bends;
+    }
+
     LaidPlace laidOn(const glm::dvec3& atWorld, std::uint32_t halfEdge) const
     {
         const int begin = int(halfEdge % 3), end = int(nextInTriangle(halfEdge) % 3);
-        SurfacePlace place{halfEdge / 3, glm::dvec3(0)};
-        place.weight[begin] = 1;
+        SurfacePlace place = atCorner(halfEdge);
         const glm::dvec3 from = positionWorld(mesh_, place), along = edge(halfEdge);
         const double part = std::clamp(glm::dot(atWorld - from, along) / glm::dot(along, along), 0.0, 1.0);
         place.weight[begin] = 1 - part;
@@ -132,6 +164,16 @@ std::vector<SurfacePlace> laid(SharpEdges edges, const std::vector<SurfacePlace>
     return out;
 }
 
+/// Ends a line at a point, where it comes to it first: it may have been laid on what lies beyond a corner.
+void endAt(const SurfaceMesh& mesh, const SurfacePlace& point, std::vector<SurfacePlace>& places)
+{
+    const glm::dvec3 at = positionWorld(mesh, point);
+    const auto first = std::find_if(places.begin(), places.end(),
+                                    [&](const SurfacePlace& place) { return positionWorld(mesh, place) == at; });
+    if (first != places.end()) places.erase(first + 1, places.end());
+    places.back() = point;
+}
+
 }  // namespace
 
 void layOnSharpEdges(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
@@ -144,14 +186,16 @@ void layOnSharpEdges(const SurfaceMesh& mesh, const SurfaceFans& fans, const Tan
     for (CriticalPoint& point : topology.points)
         for (const int direction : {1, -1}) {
             if (point.kind != CriticalKind::saddle && point.attracts != (direction > 0)) continue;
-            const auto found = SharpEdges(mesh, fans, field, direction).nearestTo(point.place);
+            SharpEdges edges(mesh, fans, field, direction);
+            const auto found = edges.nearestTo(point.place);
             if (!found) continue;
-            point.place = found->place;
+            const auto corner = edges.cornerBeside(point.place);
+            point.place = corner && point.index > 0 ? *corner : found->place;
             break;
         }
-    for (TopologyLine& line : topology.lines) {  // They begin and end at points.
+    for (TopologyLine& line : topology.lines) {
         line.places.front() = topology.points[line.saddle].place;
-        if (line.other) line.places.back() = topology.points[*line.other].place;
+        if (line.other) endAt(mesh, topology.points[*line.other].place, line.places);
     }
 }
 
