@@ -50,8 +50,8 @@ struct FieldSource {
     std::string spec;  ///< A file or series | abc | tornado | rotation | uniform | gyre[:NX,NY,NZ]; empty: the
                        ///< surface's own array.
     FieldPrecision precision = FieldPrecision::float32;
-    std::string vectors;  ///< Array name, or with a field wallShear(NAME); empty: the file's active vectors, or its
-                          ///< only 3-component array.
+    std::string vectors;  ///< Array name, with a field also wallShear(NAME), without one reversed(NAME); empty: the
+                          ///< file's active vectors, or its only 3-component array.
     std::optional<double> offset;  ///< World units: how far off the surface a field is sampled, on the side of the
                                    ///< field or, where it is on both, along the normal. Not set ("auto" in texts): on
                                    ///< the surface where there is flow, else where the nearest cells have theirs

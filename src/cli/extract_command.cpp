@@ -14,6 +14,8 @@
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "cluster/comm/together.h"
+#include "engine/picture_warnings.h"
+#include "engine/renderer_internals.h"
 #include "output/output_check.h"
 #include "output/streamline_files.h"
 #include "output/topology_files.h"
@@ -98,6 +100,8 @@ void ExtractCommand::run() const
     if (!root) return;
     for (std::size_t i = 0; i < renderer.info().dataWarnings; ++i)
         fmt::print(stderr, "aeolic: warning: {}\n", renderer.info().warnings[i]);
+    if (const std::string against = againstFlowWarning(RendererInternals::scene(renderer)); !against.empty())
+        fmt::print(stderr, "aeolic: warning: {}\n", against);
     if (!found.warning.empty()) fmt::print(stderr, "aeolic: warning: {}\n", found.warning);
     writeTextFile(outputPath, found.text);
 }

@@ -153,9 +153,9 @@ void forEachOption(Scene&& scene, Visit&& visit)
           scene.field.spec, anyName);
     visit(Option{field, "precision", "--field-precision", "", "how the field is kept in memory"}, scene.field.precision,
           choice<FieldPrecision>);
-    visit(Option{field, "vectors", "--vectors", "NAME|wallShear(NAME)",
-                 "vector array to show; without --field one of the surface's points or cells; with it also the wall "
-                 "shear of one: how much it changes with the distance from the surface",
+    visit(Option{field, "vectors", "--vectors", "NAME|wallShear(NAME)|reversed(NAME)",
+                 "vector array to show; without --field one of the surface's points or cells, also turned round; with "
+                 "it also the wall shear of one: how much it changes with the distance from the surface",
                  "the file's active vectors, or its only ones"},
           scene.field.vectors, anyName);
     visit(

@@ -7,6 +7,7 @@
 
 #include "description/color_scale.h"
 #include "description/option_rules.h"
+#include "description/overlays.h"
 #include "description/scene_text.h"
 #include "engine/scene_figure.h"
 #include "render/overlay/drawn_text.h"
@@ -73,7 +74,23 @@ void addUnknownCharacters(const Figure& figure, std::vector<std::string>& warnin
     for (const ScalarBar& bar : figure.bars) add("the legend", bar.title);
 }
 
+/// The picture tells which way the flow goes.
+bool showsDirection(const LicOptions& lic, const ShadingOptions& shading)
+{
+    const Overlays overlays = overlaysOf(shading.overlay);
+    const bool movesOrPoints = lic.style == Style::oriented || lic.flow != FlowMotion::off;
+    return (movesOrPoints && lic.method != LicMethod::none) || overlays.topology || overlays.separation ||
+           overlays.streamlinesPx > 0 || overlays.through;
+}
+
 }  // namespace
+
+std::string againstFlowWarning(const Scene& scene)
+{
+    if (!scene.againstFlow) return "";
+    return fmt::format("{}: OpenFOAM's '{}' points against the flow; --vectors 'reversed({})' turns it round",
+                       scene.surface.name, scene.vectorsName, scene.vectorsName);
+}
 
 std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOptions& lic, const Scene& scene,
                                          const std::vector<double>& times, int width, int height)
@@ -84,6 +101,7 @@ std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOpt
     if (times.empty() && scene.maxVector > 0 && lic.maskBelow > scene.maxVector && lic.method != LicMethod::none)
         warnings.push_back(fmt::format("{}: no streaks show: the longest vector is {:.3g}, and --mask-below {}",
                                        scene.surface.name, scene.maxVector, numberText(lic.maskBelow)));
+    if (scene.againstFlow && showsDirection(lic, frame.shading)) warnings.push_back(againstFlowWarning(scene));
     const Figure figure = figureOf(frame, scene, times);
     addUnknownCharacters(figure, warnings);
     const std::string leftOut = FigureLayout(figure, width, height).leftOut(figure);

@@ -11,6 +11,9 @@
 
 namespace aeolic {
 
+/// Where vectors point against the flow that made them; else empty.
+std::string againstFlowWarning(const Scene& scene);
+
 /// What the options of a frame ask for that these data, or a picture of this size, do not give: one line each. `times`:
 /// the moments of the scene's steps.
 std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOptions& lic, const Scene& scene,

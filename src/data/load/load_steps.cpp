@@ -70,6 +70,16 @@ SurfaceAsk askOf(const SurfaceTrack& surface, const SceneDescription& descriptio
     return ask;
 }
 
+/// The vectors lead the other way.
+void turnRound(LoadedSurface& surface)
+{
+    for (std::vector<glm::vec3>* vectors : {&surface.mesh.pointVectors, &surface.mesh.cellVectors})
+        for (glm::vec3& vector : *vectors) vector = -vector;
+    if (needsNormal(surface.ofVectors))
+        surface.scalarLabel = labelOf(reversedName(surface.vectorsName), surface.ofVectors);
+    if (!surface.vectorsName.empty()) surface.vectorsName = reversedName(surface.vectorsName);
+}
+
 }  // namespace
 
 StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart& p, const FieldPart& s)
@@ -85,9 +95,19 @@ StepReader::StepReader(const SceneDescription& d, const Data& m, const FieldPart
             throw InputError("surfaces",
                              "found the field's arrays '" + colors + "' and '" + ask.colorBy.name + "' to colour by",
                              "one array of the field for all surfaces, or surface:NAME");
+    requireReversible();
     chooseFirstSteps();
     const Track& first = sources.surfaces.front().track;
     if (pieces.split() && !memory.surface) shares = pieceBytesOf(first.file(first.firstKey()).path);
+}
+
+/// Only a surface's own vectors are turned round.
+void StepReader::requireReversible() const
+{
+    for (const SurfaceAsk& ask : asks)
+        if (ask.fieldVectors && parseSurfaceVectors(description.field.vectors).reversed)
+            throw InputError("--vectors", "found '" + description.field.vectors + "' of a field",
+                             "reversed(NAME) of vectors that the surface has itself, without --field");
 }
 
 /// Times may differ in their arrays: the array that is drawn is looked for at the first time that has it.
@@ -106,8 +126,8 @@ void StepReader::chooseFirstSteps()
         SurfaceTrack& surface = sources.surfaces[i];
         const SurfaceAsk& ask = asks[i];
         ofField.push_back(surface.spec.array);
-        choose(surface.track, {ask.ownVectors ? surface.item.vectors.value_or(description.field.vectors) : "",
-                               ask.colorsFromSurface ? ask.colorBy.name : ""});
+        choose(surface.track,
+               {ask.ownVectors ? ownVectors(surface.item).name : "", ask.colorsFromSurface ? ask.colorBy.name : ""});
     }
     choose(sources.field, ofField);
 }
@@ -149,12 +169,24 @@ void StepReader::decideColors(const FieldStep& first)
     }
 }
 
+SurfaceVectors StepReader::ownVectors(const SurfaceItem& item) const
+{
+    return parseSurfaceVectors(item.vectors.value_or(description.field.vectors));
+}
+
 LoadedSurface StepReader::surface(std::size_t index, double key, const ProgressReport& progress) const
+{
+    LoadedSurface surface = surfaceAsStored(index, key, progress);
+    if (asks[index].ownVectors && ownVectors(sources.surfaces[index].item).reversed) turnRound(surface);
+    return surface;
+}
+
+LoadedSurface StepReader::surfaceAsStored(std::size_t index, double key, const ProgressReport& progress) const
 {
     const auto& [item, spec, track] = sources.surfaces[index];
     const SurfaceAsk& ask = asks[index];
     SurfaceArrays arrays{ask.ownVectors,
-                         item.vectors.value_or(description.field.vectors),
+                         ownVectors(item).name,
                          ask.colorsFromSurface ? ask.colorBy.name : "",
                          std::nullopt,
                          pieces,

@@ -15,7 +15,7 @@
 #include "data/progress.h"
 #include "description/color_by.h"
 #include "description/surface_spec.h"
-#include "description/wall_shear.h"
+#include "description/vectors_text.h"
 
 namespace aeolic {
 
@@ -82,6 +82,9 @@ struct StepReader {
 
 private:
     void chooseFirstSteps();
+    void requireReversible() const;
+    SurfaceVectors ownVectors(const SurfaceItem& item) const;
+    LoadedSurface surfaceAsStored(std::size_t index, double key, const ProgressReport& progress) const;
     std::string fieldColors() const;
     bool looksUpCells(const SurfaceSpec& spec) const;  // Where the field is not on a uniform grid.
     void requireColors(const FieldStep& step) const;

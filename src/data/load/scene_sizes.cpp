@@ -14,7 +14,7 @@
 #include "data/reading/file_questions.h"
 #include "data/vtk/grid/grid_outline.h"
 #include "description/color_by.h"
-#include "description/wall_shear.h"
+#include "description/vectors_text.h"
 
 namespace aeolic {
 namespace {

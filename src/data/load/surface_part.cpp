@@ -8,6 +8,7 @@
 #include "data/cells_to_points.h"
 #include "data/load/blank_surface.h"
 #include "data/load/value_percentiles.h"
+#include "data/named_file.h"
 #include "data/surface_range.h"
 #include "data/vtk/surface/isosurface.h"
 
@@ -29,6 +30,13 @@ Bounds boundsOf(const PieceFacts& ofAll)
     for (const glm::dvec3& p : {ofAll.pointsWorld.lo, ofAll.pointsWorld.hi})
         corners.positions.emplace_back(p - corners.originWorld);
     return corners.bounds();
+}
+
+/// OpenFOAM's wall shear stress is the wall's force on the flow.
+bool pointsAgainstFlow(const Track& track, const std::string& vectors)
+{
+    return vectors == "wallShearStress" && !track.series.steps.empty() &&
+           namedKindHas(track.series.steps.front().path, kIsFolder);
 }
 
 }  // namespace
@@ -85,6 +93,7 @@ void SurfacePart::takeSurface(LoadedSurface&& surface)
     scene.scalarName = surface.scalarLabel;
     scene.ofVectors = surface.ofVectors;
     scene.vectorsName = surface.vectorsName;
+    scene.againstFlow = pointsAgainstFlow(source().track, surface.vectorsName);
     scene.surfaceArrays = std::move(surface.offered);
     originWorld_ = scene.surface.originWorld;
     tallies_ = surface.tallies;
