@@ -6,6 +6,7 @@
 #include "render/flatten.h"
 #include "render/gl/device/context.h"
 #include "render/gl/device/device_errors.h"
+#include "render/gl/device/dispatch.h"
 #include "render/gl/device/gpu_state.h"
 #include "render/gl/device/scene_limits.h"
 #include "render/lic/along_flow.h"
@@ -209,7 +210,7 @@ public:
         frame.timers.end();
         gpu.shade.send(compute, out, frame);
         gpu.frames.shaded();
-        glFlush();
+        startWork();
         context_->check("shading");
         context_->release();  // The next frame may come from another thread.
     }

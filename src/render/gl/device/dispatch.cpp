@@ -46,4 +46,9 @@ void finishDrawing()
     waitForShaders();
 }
 
+void startWork()
+{
+    glFlush();
+}
+
 }  // namespace aeolic::gl

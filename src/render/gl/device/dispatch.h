@@ -20,6 +20,9 @@ void dispatchIndirect(GLuint program, const Buffer& groups, std::size_t offset);
 /// Runs a program over `area`, which it gets as the uniform at location 0. Its groups are `groupWidth` x 8 pixels.
 void dispatchOver(GLuint program, const Extent& area, int groupWidth = 16);
 
+/// Begins what was asked for, without waiting for it.
+void startWork();
+
 /// Behind draws: what they wrote is there for all that follows.
 void finishDrawing();
 

@@ -117,6 +117,11 @@ void Texture::clearRows(int y0, int y1) const
     if (y0 < y1) glClearTexSubImage(name_, 0, 0, y0, 0, width_, y1 - y0, depth_, texel.format, texel.type, nullptr);
 }
 
+void Texture::copyTo(const Texture& other) const
+{
+    glCopyImageSubData(name_, GL_TEXTURE_2D, 0, 0, 0, 0, other.name_, GL_TEXTURE_2D, 0, 0, 0, 0, width_, height_, 1);
+}
+
 void Texture::readRows(int y0, int y1, int layer, void* to) const
 {
     const TexelFormat texel = texelFormat(format_);

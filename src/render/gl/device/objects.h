@@ -96,6 +96,8 @@ public:
     /// Rows [y0, y1) of a layer, without padding. Where a pixel buffer is bound, pointers are offsets into it.
     void readRows(int y0, int y1, int layer, void* to) const;
     void writeRows(int y0, int y1, int layer, const void* from) const;
+    /// All texels of a texture of one layer, to one of the same size and format.
+    void copyTo(const Texture& other) const;
 
 private:
     Texture(GLenum target, GLenum format, int width, int height, int depth);

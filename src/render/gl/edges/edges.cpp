@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "render/antialias.h"
+#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 #include "render/gl/device/gl_limits.h"
 #include "render/limits.h"
@@ -40,11 +41,6 @@ std::size_t pixelsOf(const Extent& rows)
     return std::size_t(rows.width()) * std::size_t(rows.height());
 }
 
-void bindStorage(GLuint binding, const Buffer& buffer)
-{
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.id());
-}
-
 }  // namespace
 
 Edges::Edges(bool isProgram)
@@ -69,8 +65,8 @@ void Edges::reserve(const Pass& pass, const Extent& compute)
 void Edges::findEdges(const Pass& pass, const Extent& compute) const
 {
     const GLuint program = pass.programs.compute("edge_mask");
-    glProgramUniform1f(program, 1, slackPerDepth(pass.view));
-    glProgramUniform1i(program, 2, pass.palette.lighting);
+    setFloats(program, 1, slackPerDepth(pass.view));
+    setInts(program, 2, pass.palette.lighting);
     pass.images.visible.bind(0);
     pass.images.surface.bind(1);
     bindStorage(kBlocks, blocks_.get());
@@ -85,9 +81,9 @@ void Edges::listTriangles(const Pass& pass, const Extent& compute) const
     if (groups == 0) return;
     const GLuint program = pass.programs.compute("edge_near");
     setExtent(program, 0, compute);
-    glProgramUniform1ui(program, 1, triangles);
-    glProgramUniform2i(program, 2, mostSmallPx_, kMostMediumPx);
-    glProgramUniform1i(program, 3, pass.view.frontFacesOnly);
+    setUnsigned(program, 1, triangles);
+    setInts(program, 2, mostSmallPx_, kMostMediumPx);
+    setInts(program, 3, pass.view.frontFacesOnly);
     pass.scene.bindMesh();
     bindStorage(kBlocks, blocks_.get());
     bindStorage(kList, list_.get());
@@ -104,7 +100,7 @@ void Edges::drawSamples(const Pass& pass, const Extent& compute, std::size_t fir
         places[2 * s + 1] = antialias::kDown[s] * kSubpixelsPerPart;
     }
     const GLuint clear = pass.programs.compute("edge_clear");
-    glProgramUniform2i(clear, kHeldLocation, GLint(first), GLint(held_));
+    setInts(clear, kHeldLocation, GLint(first), GLint(held_));
     pass.scene.bindMesh();
     bindStorage(kBlocks, blocks_.get());
     bindStorage(kList, list_.get());
@@ -115,12 +111,12 @@ void Edges::drawSamples(const Pass& pass, const Extent& compute, std::size_t fir
         for (const int shares : kShares) {
             const GLuint program = pass.programs.compute("edge_samples", {{"SHARES", shares}, {"LANES", lanes_}});
             setExtent(program, 0, compute);
-            glProgramUniform1ui(program, 1, GLuint(pass.scene.triangles()));
-            glProgramUniform1i(program, 2, naming);
-            glProgramUniform1i(program, 3, pass.view.frontFacesOnly);
-            glProgramUniform1f(program, 4, pass.view.farInvDepth);
-            glProgramUniform2iv(program, 5, antialias::kSamples, places.data());
-            glProgramUniform2i(program, kHeldLocation, GLint(first), GLint(held_));
+            setUnsigned(program, 1, GLuint(pass.scene.triangles()));
+            setInts(program, 2, naming);
+            setInts(program, 3, pass.view.frontFacesOnly);
+            setFloats(program, 4, pass.view.farInvDepth);
+            setPairs(program, 5, antialias::kSamples, places.data());
+            setInts(program, kHeldLocation, GLint(first), GLint(held_));
             dispatch(program, listGroups_);
         }
 }
@@ -135,9 +131,9 @@ void Edges::findColors(const Pass& pass, const Extent& shown, const Buffer& pixe
     }
     const GLuint program = pass.programs.compute("edge_colors");
     setExtent(program, 1, shown);
-    glProgramUniform1f(program, 2, slackPerDepth(pass.view));
-    glProgramUniform2fv(program, 3, antialias::kSamples, places.data());
-    glProgramUniform2i(program, kHeldLocation, GLint(first), GLint(held_));
+    setFloats(program, 2, slackPerDepth(pass.view));
+    setPairs(program, 3, antialias::kSamples, places.data());
+    setInts(program, kHeldLocation, GLint(first), GLint(held_));
     pass.images.visible.bind(2);
     pass.images.surface.bind(3);
     pass.images.bindColors(4, 5);

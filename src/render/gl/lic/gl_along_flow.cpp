@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/gl/device/arguments.h"
 #include "render/gl/lic/gl_lic_stage.h"
 #include "render/limits.h"
 
@@ -21,14 +22,13 @@ void AlongFlow::send(const FrameImages& images, const Texture& from, const Exten
 {
     around_ = withNeighbours(compute, images.valid, rows);
     memory_.reserve(placeOf(images, around_.y1) + kWordBytes);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, memory_.id());
+    const PixelsInto memory(memory_);
     const auto take = [&](int y0, int y1) {
         from.readRows(y0 - images.valid.y0, y1 - images.valid.y0, 0, offsetPointer(placeOf(images, y0)));
     };
     const int upperEnd = std::min(compute.y0 + rows, compute.y1);
     take(compute.y0, upperEnd);
     take(std::max(compute.y1 - rows, upperEnd), compute.y1);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     copied_.set();
 }
 
@@ -40,13 +40,12 @@ void AlongFlow::receive(const FrameImages& images, const Texture& into, const Ex
     copied_.wait();
     beside.receive({memory_.data(), std::ptrdiff_t(width) * kWordBytes, kWordBytes, around_}, rows);
     timers.begin(Stage::convolve);
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, memory_.id());
+    const PixelsFrom memory(memory_);
     const auto put = [&](int y0, int y1) {
         into.writeRows(y0 - images.valid.y0, y1 - images.valid.y0, 0, offsetPointer(placeOf(images, y0)));
     };
     put(around_.y0, compute.y0);
     put(compute.y1, around_.y1);
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 
 void AlongFlow::receiveValues(const ConvolvePass& pass, const Extent& compute, RowExchange& beside, int rows,
@@ -72,7 +71,7 @@ void AlongFlow::run(const ConvolvePass& pass, const LicOptions& lic, const Exten
     if (beside) send(images, images.words, compute, limits::kAlongRows + more);
 
     const GLuint program = pass.programs.compute("along_flow");
-    glProgramUniform1f(program, 1, along_flow::gain(lic));
+    setFloats(program, 1, along_flow::gain(lic));
     images.flow.bind(0);
     images.words.bind(1);
     images.lic.bindImage(0);

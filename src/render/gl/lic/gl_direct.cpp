@@ -1,3 +1,4 @@
+#include "render/gl/device/arguments.h"
 #include "render/gl/lic/gl_lic_stage.h"
 #include "render/lic/lic_kernel.h"
 
@@ -14,12 +15,12 @@ void DirectConvolution::run(const ConvolvePass& pass, const LicOptions& lic, int
         const Buffer& weights = weights_.reserve(2 * bytes);
         weights.write(0, bytes, sampled.forward.data());
         weights.write(bytes, bytes, sampled.backward.data());
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, weights.id());
+        bindStorage(0, weights);
     }
     bindTraces(pass, program);
     setContrast(program, lic);
-    glProgramUniform1i(program, 3, lic.steps);
-    glProgramUniform1i(program, 4, lic.streaks == Streaks::even);
+    setInts(program, 3, lic.steps);
+    setInts(program, 4, lic.streaks == Streaks::even);
     pass.images.lic.bindImage(0);
     pass.near.run(program, y0, y1);
 }

@@ -4,6 +4,7 @@
 
 #include "render/flatten.h"
 #include "render/gbuffer.h"
+#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 
 namespace aeolic::gl {
@@ -23,7 +24,7 @@ void Flatten::run(Programs& programs, const FrameImages& images, const LicOption
     setExtent(words, 1, compute);
     bindFlow();
     images.lic.bind(2);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, words_.words().id());
+    bindStorage(0, words_.words());
     dispatchOver(words, held);
     timers.end();
     if (beside) words_.receive(*beside);
@@ -32,13 +33,13 @@ void Flatten::run(Programs& programs, const FrameImages& images, const LicOption
     sums_.reserve(std::size_t(std::max(held.width(), 0)) * std::size_t(std::max(held.height(), 0)) * 2 *
                   sizeof(GLuint));
     const GLuint rows = programs.compute("flatten_rows");
-    glProgramUniform1i(rows, 1, reach);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, words_.words().id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, sums_.get().id());
+    setInts(rows, 1, reach);
+    bindStorage(0, words_.words());
+    bindStorage(1, sums_.get());
     dispatchOver(rows, held);
 
     const GLuint flat = programs.compute("flatten");
-    glProgramUniform1i(flat, 1, reach);
+    setInts(flat, 1, reach);
     setExtent(flat, 2, held);
     bindFlow();
     images.lic.bindImage(0);

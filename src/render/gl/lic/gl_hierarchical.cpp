@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "render/gl/device/arguments.h"
 #include "render/gl/device/gl_blocks.h"
 #include "render/gl/lic/gl_lic_stage.h"
 #include "render/gl/lic/guard_rows.h"
@@ -54,12 +55,12 @@ void HierarchicalConvolution::prepare(const ConvolvePass& pass, const LicOptions
     const JumpBlock block = makeJumpBlock(plan_, pass.flowUnitPx);
     if (block_.bytes() == 0) block_ = Buffer(sizeof block, GL_DYNAMIC_STORAGE_BIT);
     block_.write(0, sizeof block, &block);
-    glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
+    bindUniforms(kJumpBinding, block_);
     if (!kernel.weighted()) return;
     const std::vector<Turn> turns = turnsOf(kernel, 1);
     const std::size_t bytes = turns.size() * sizeof turns[0];
     turns_.reserve(bytes).write(0, bytes, turns.data());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, turns_.get().id());
+    bindStorage(0, turns_.get());
 }
 
 void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& lic, int y0, int y1,
@@ -77,8 +78,8 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
         images.places.bindImage(0);
         images.metas.bindImage(1);
         if (weighted) images.weighted.bind(6), images.weighted.bindImage(2);
-        glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
-        if (weighted) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, turns_.get().id());
+        bindUniforms(kJumpBinding, block_);
+        if (weighted) bindStorage(0, turns_.get());
         pass.near.run(program, levelY0, levelY1, 2);
     };
     // A level, or what one program makes of several. What others read of it is computed first, and travels while the
@@ -98,26 +99,26 @@ void HierarchicalConvolution::run(const ConvolvePass& pass, const LicOptions& li
     };
     const std::size_t levels = plan_.digits.size();
     const GLuint walk = pass.programs.compute("hierarchical_walk", defines);
-    glProgramUniform1f(walk, 3, kSharpenedNoiseUnit);
-    glProgramUniform1i(walk, 4, lic.streaks == Streaks::even);
+    setFloats(walk, 3, kSharpenedNoiseUnit);
+    setInts(walk, 4, lic.streaks == Streaks::even);
     exchanged(0, plan_.levelReach(0));
     if (plan_.remainder > 0) exchanged(levels, plan_.remainderReach());
     level(walk);
     for (std::size_t i = 0; i < plan_.radix.size(); ++i) {
         const GLuint join = pass.programs.compute("hierarchical_join", defines);
-        glProgramUniform2i(join, 3, int(i), plan_.radix[i]);
+        setInts(join, 3, int(i), plan_.radix[i]);
         exchanged(i + 1, plan_.levelReach(i + 1));
         level(join);
     }
     const GLuint finish = pass.programs.compute("hierarchical_finish", defines);
     setContrast(finish, lic);
-    glProgramUniform4f(finish, 3, kernel.ofPlain, kernel.ofFirst, kernel.ofSecond, float(kernel.weight(0)));
+    setFloats(finish, 3, kernel.ofPlain, kernel.ofFirst, kernel.ofSecond, float(kernel.weight(0)));
     bindTraces(pass, finish);
     images.places.bind(4);
     images.metas.bind(5);
     if (weighted) images.weighted.bind(6);
-    glBindBufferBase(GL_UNIFORM_BUFFER, kJumpBinding, block_.id());
-    if (weighted) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, turns_.get().id());
+    bindUniforms(kJumpBinding, block_);
+    if (weighted) bindStorage(0, turns_.get());
     images.lic.bindImage(0);
     pass.near.run(finish, y0, y1);
 }

@@ -1,6 +1,7 @@
 #include "render/gl/lic/gl_lic_stage.h"
 
 #include "render/gbuffer.h"
+#include "render/gl/device/arguments.h"
 #include "render/lic/lic_kernel.h"
 
 namespace aeolic::gl {
@@ -11,20 +12,20 @@ void bindTraces(const ConvolvePass& pass, GLuint program)
     pass.images.links.bind(1);
     pass.images.openFlow.bind(2);
     pass.images.wholeFlow.bind(3);
-    glProgramUniform1f(program, 1, pass.flowUnitPx);
+    setFloats(program, 1, pass.flowUnitPx);
 }
 
 void setContrast(GLuint program, const LicOptions& lic)
 {
     const ContrastModel model = makeContrastModel(lic);
-    glProgramUniform3f(program, 2, model.zeroLength, model.perLength, flow_texel::kNoiseUnit * model.inverseMeanWeight);
-    glProgramUniform3f(program, 5, model.phaseCosine, model.phaseSine, model.perStep);
+    setFloats(program, 2, model.zeroLength, model.perLength, flow_texel::kNoiseUnit * model.inverseMeanWeight);
+    setFloats(program, 5, model.phaseCosine, model.phaseSine, model.perStep);
 }
 
 void makeFlowCells(const ConvolvePass& pass, float sharpness, int y0, int y1)
 {
     const GLuint program = pass.programs.compute("flow_cells");
-    glProgramUniform2f(program, 1, sharpness, sharpness > 0 ? 1 / kSharpenedNoiseUnit : 1.0f);
+    setFloats(program, 1, sharpness, sharpness > 0 ? 1 / kSharpenedNoiseUnit : 1.0f);
     pass.images.flow.bind(0);
     pass.images.links.bind(1);
     pass.images.openFlow.bindImage(0);

@@ -1,5 +1,6 @@
 #include "render/gl/lic/gl_phases.h"
 
+#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 
 namespace aeolic::gl {
@@ -10,8 +11,7 @@ void GlPhases::keep(int which, const FrameImages& images)
     Texture& kept = kept_[std::size_t(which)];
     if (kept.width() != values.width() || kept.height() != values.height())
         kept = Texture::image(values.format(), values.width(), values.height());
-    glCopyImageSubData(values.id(), GL_TEXTURE_2D, 0, 0, 0, 0, kept.id(), GL_TEXTURE_2D, 0, 0, 0, 0, values.width(),
-                       values.height(), 1);
+    values.copyTo(kept);
 }
 
 void GlPhases::mix(Programs& programs, const FrameImages& images, const phase_mix::Mixture& mixture,
@@ -22,8 +22,8 @@ void GlPhases::mix(Programs& programs, const FrameImages& images, const phase_mi
     const auto* turned = std::get_if<phase_mix::Turned>(&mixture);
     const GLuint program =
         weights ? programs.compute("mix_phases") : programs.compute("mix_comets", {{"MEAN", turned ? 0 : 1}});
-    if (weights) glProgramUniform3f(program, 1, (*weights)[0], (*weights)[1], (*weights)[2]);
-    if (turned) glProgramUniform2f(program, 1, turned->cosine, turned->sine);
+    if (weights) setFloats(program, 1, (*weights)[0], (*weights)[1], (*weights)[2]);
+    if (turned) setFloats(program, 1, turned->cosine, turned->sine);
     for (GLuint i = 0; i < GLuint(kept_.size()); ++i)
         if (kept_[i].id() != 0) kept_[i].bind(i);
     if (!weights) images.flow.bind(GLuint(kept_.size()));

@@ -58,7 +58,7 @@ void GuardRowExchange::forEachPlane(const Transfer& transfer, int y0, int y1, co
 void GuardRowExchange::send()
 {
     memory_.reserve(bytes_ + 16);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, memory_.id());
+    const PixelsInto memory(memory_);
     const auto take = [&](const Plane& plane, int y0, int y1, void* to) {
         plane.texture->readRows(y0, y1, plane.layer, to);
     };
@@ -68,7 +68,6 @@ void GuardRowExchange::send()
         forEachPlane(transfer, compute_.y0, upperEnd, take);
         forEachPlane(transfer, std::max(compute_.y1 - sent.below, upperEnd), compute_.y1, take);
     }
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     copied_.set();
 }
 
@@ -83,7 +82,7 @@ void GuardRowExchange::receive()
     }
     guards_->receive(parts);
     timers_->begin(Stage::convolve);
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, memory_.id());
+    const PixelsFrom memory(memory_);
     const auto put = [&](const Plane& plane, int y0, int y1, const void* from) {
         plane.texture->writeRows(y0, y1, plane.layer, from);
     };
@@ -92,7 +91,6 @@ void GuardRowExchange::receive()
         forEachPlane(transfer, compute_.y0 - needed.above, compute_.y0, put);
         forEachPlane(transfer, compute_.y1, compute_.y1 + needed.below, put);
     }
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     transfers_.clear();
     bytes_ = 0;
 }

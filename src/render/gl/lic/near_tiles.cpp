@@ -1,5 +1,6 @@
 #include "render/gl/lic/near_tiles.h"
 
+#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 #include "render/gl/device/gl_blocks.h"
 #include "render/limits.h"
@@ -25,9 +26,9 @@ void NearTiles::find(Programs& programs, const FrameImages& images, int y0, int 
     const auto tiles = std::size_t(tilesX) * std::size_t(tilesY);
     flags_.reserve(tiles * 4);
     list_.reserve(sizeof kListHead + tiles * 4).begin(noTiles_);
-    glBindBufferBase(GL_UNIFORM_BUFFER, kTilingBinding, tiling_.id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, flags_.get().id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, list_.get().id());
+    bindUniforms(kTilingBinding, tiling_);
+    bindStorage(0, flags_.get());
+    bindStorage(1, list_.get());
     if (tiles == 0) return;
     images.flow.bind(0);
     dispatch(programs.compute("tile_flags"), GLuint(tilesX), GLuint(tilesY));
@@ -37,9 +38,9 @@ void NearTiles::find(Programs& programs, const FrameImages& images, int y0, int 
 void NearTiles::run(GLuint program, int y0, int y1, int directions) const
 {
     if (y0 >= y1) return;
-    glProgramUniform2i(program, 0, y0, y1);
-    glBindBufferBase(GL_UNIFORM_BUFFER, kTilingBinding, tiling_.id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, list_.get().id());
+    setInts(program, 0, y0, y1);
+    bindUniforms(kTilingBinding, tiling_);
+    bindStorage(1, list_.get());
     dispatchIndirect(program, list_.get(), directions == 2 ? 16 : 0);
 }
 

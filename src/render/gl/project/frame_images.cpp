@@ -1,10 +1,10 @@
 #include "render/gl/project/frame_images.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "base/image.h"
 #include "render/gl/device/gl_limits.h"
+#include "render/gl/device/raster.h"
 
 namespace aeolic::gl {
 namespace {
@@ -15,18 +15,6 @@ constexpr int kRowsBeyond = Image<float>::kApronRows;
 constexpr std::uint64_t kBytesPerPixel = 222;
 
 }  // namespace
-
-Framebuffer makeTarget(const Texture& ids, const Texture& depth)
-{
-    GLuint id = 0;
-    glCreateFramebuffers(1, &id);
-    Framebuffer target(id);
-    glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT0, ids.id(), 0);
-    glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth.id(), 0);
-    if (glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw std::runtime_error("gl: the driver draws no 32-bit numbers with 32-bit depth");
-    return target;
-}
 
 void FrameImages::resize(int width, int height, const Extent& rows, bool withScalar, bool withColors)
 {

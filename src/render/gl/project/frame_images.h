@@ -37,6 +37,4 @@ private:
     int rows_ = 0;
 };
 
-Framebuffer makeTarget(const Texture& ids, const Texture& depth);
-
 }  // namespace aeolic::gl

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "render/gbuffer.h"
+#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 #include "render/gl/lic/near_tiles.h"
 #include "render/limits.h"
@@ -62,9 +63,9 @@ void BrickResolve::start(Programs& programs, const GpuScene& scene, const FrameI
     scene.bindMesh();
     scene.bindFields();
     images.visible.bind(0);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, flow_.get().id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, scalar_.get().id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, mask_.get().id());
+    bindStorage(4, flow_.get());
+    bindStorage(5, scalar_.get());
+    bindStorage(6, mask_.get());
     dispatchOver(resolveProgram(programs, scene.scene(), true), area, kGroupWidth);
     const auto copy = [&](ReadBack& copied, const GrowingBuffer& from) {
         copied.copy(from.get(), bytes);
@@ -101,7 +102,7 @@ void maskLight(Programs& programs, const FrameImages& images, const Texture& mas
 void linkSheets(Programs& programs, const NearTiles& near, const FrameImages& images, float focalPx, int y0, int y1)
 {
     const GLuint program = programs.compute("links");
-    glProgramUniform1f(program, 1, 0.5f * limits::kSlackFootprints / focalPx);
+    setFloats(program, 1, 0.5f * limits::kSlackFootprints / focalPx);
     images.flow.bind(0);
     images.surface.bind(1);
     images.links.bindImage(0);

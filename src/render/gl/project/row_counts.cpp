@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 
 namespace aeolic::gl {
@@ -15,9 +16,9 @@ void RowCounts::start(Programs& programs, const Texture& visible, int y0, int y1
     const std::size_t bytes = std::size_t(y1 - y0) * 4;
     counts_.reserve(bytes);
     const GLuint program = programs.compute("row_counts");
-    glProgramUniform3i(program, 0, y0, y1 - y0, visible.width());
+    setInts(program, 0, y0, y1 - y0, visible.width());
     visible.bind(0);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, counts_.get().id());
+    bindStorage(0, counts_.get());
     dispatch(program, GLuint(y1 - y0));
     copy_.copy(counts_.get(), bytes);
     copy_.start();

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/gbuffer.h"
+#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 #include "render/occlusion.h"
 
@@ -25,7 +26,7 @@ void Occlusion::copyDepths(const Pass& pass, const Extent& compute, int rows)
     const GLuint program = pass.programs.compute("occlusion_depths");
     setExtent(program, 1, compute);
     bindSurface(pass.images);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, depths_.words().id());
+    bindStorage(0, depths_.words());
     dispatchOver(program, depths_.held());
     pass.timers.end();
 }
@@ -42,11 +43,11 @@ void Occlusion::findHidden(const Pass& pass, const Extent& compute, int radius, 
     const GLuint program = pass.programs.compute("occlusion_hidden");
     setExtent(program, 1, depths_.held());
     setExtent(program, 2, hidden_.held());
-    glProgramUniform1f(program, 3, 0.25f / (float(radius) * float(radius)));
-    glProgramUniform2iv(program, 4, occlusion::kPatterns * occlusion::kTaps, taps.data());
+    setFloats(program, 3, 0.25f / (float(radius) * float(radius)));
+    setPairs(program, 4, occlusion::kPatterns * occlusion::kTaps, taps.data());
     bindSurface(pass.images);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, depths_.words().id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, hidden_.words().id());
+    bindStorage(0, depths_.words());
+    bindStorage(1, hidden_.words());
     dispatchOver(program, compute);
     pass.timers.end();
 }
@@ -59,9 +60,9 @@ void Occlusion::findOpen(const Pass& pass, const Extent& area)
     setExtent(program, 1, depths_.held());
     setExtent(program, 2, hidden_.held());
     bindSurface(pass.images);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, depths_.words().id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, hidden_.words().id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, open_.get().id());
+    bindStorage(0, depths_.words());
+    bindStorage(1, hidden_.words());
+    bindStorage(2, open_.get());
     dispatchOver(program, area);
     pass.timers.end();
 }

@@ -1,5 +1,6 @@
 #include "render/gl/shade/gl_shade.h"
 
+#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 #include "render/gl/device/gl_blocks.h"
 
@@ -28,10 +29,10 @@ void Shade::draw(Programs& programs, const FrameImages& images, const Palette& p
     images.flow.bind(2);
     images.lic.bind(3);
     images.bindColors(4, 5);
-    glBindBufferBase(GL_UNIFORM_BUFFER, kPaletteBinding, block_.id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kColorTablesBinding, tables_.get().id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, pixels_.get().id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, open.id());
+    bindUniforms(kPaletteBinding, block_);
+    bindStorage(kColorTablesBinding, tables_.get());
+    bindStorage(0, pixels_.get());
+    bindStorage(1, open);
     dispatchOver(program, shown);
 }
 
