@@ -85,6 +85,26 @@ TEST_F(ReversedVectors, AreProposedWhereThePictureShowsTheDirection)
     EXPECT_FALSE(mentionsReversed(Renderer(shows)));
 }
 
+/// Walls and other patches follow different arrays by themselves.
+TEST_F(ReversedVectors, AreProposedForTheSurfaceThatNeedsThem)
+{
+    scene_.field.vectors = {};
+    scene_.lic.style = Style::oriented;
+    for (const char* part : {":inlet", ":floor"}) {
+        SurfaceItem item;
+        item.spec = folder_.file("case") + part;
+        scene_.surfaces.push_back(item);
+    }
+    const Renderer renderer(scene_);
+    const auto& warnings = renderer.info().warnings;
+    EXPECT_EQ(
+        std::count(warnings.begin(), warnings.end(),
+                   folder_.file("case") + ":floor: OpenFOAM's 'wallShearStress' points against the flow; \"vectors\": "
+                                          "\"reversed(wallShearStress)\" of this surface turns it round"),
+        1)
+        << (warnings.empty() ? "" : warnings.front());
+}
+
 TEST_F(ReversedVectors, OfAFieldAreRefused)
 {
     scene_.surface.spec = "sphere:500";

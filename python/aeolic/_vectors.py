@@ -67,7 +67,7 @@ def named_vectors(vectors, scene):
     """The name of the array that vectors= names, or else the scene; empty where neither does."""
     if vectors is None and scene is not None:
         vectors = _vectors_of(scene)
-    inner = re.fullmatch(r"wallShear\((.*)\)", vectors) if isinstance(vectors, str) else None
+    inner = re.fullmatch(r"(?:wallShear|reversed)\((.*)\)", vectors) if isinstance(vectors, str) else None
     return inner[1] if inner else vectors or ""
 
 

@@ -68,7 +68,11 @@ struct Scene {
     double maxVector = 0;      ///< Largest vector length: what `--normalize off` scales by.
     double maxTangential = 0;  ///< Largest part of them along the surface; 0: not known, or nothing lies in it.
     std::string vectorsName;   ///< The array's that streaks follow; empty: they follow several.
-    bool againstFlow = false;  ///< They are known to point against the flow that made them.
+    /// A surface's own vectors are known to point against the flow that made them.
+    struct AgainstFlow {
+        std::string surface, array;
+    };
+    std::optional<AgainstFlow> againstFlow;
     /// The surface's bounds. Where the scene changes in time, this, `fitRadius` and the ranges above belong to its
     /// first moment, so that nothing jumps.
     Bounds boundsWorld;

@@ -88,8 +88,10 @@ bool showsDirection(const LicOptions& lic, const ShadingOptions& shading)
 std::string againstFlowWarning(const Scene& scene)
 {
     if (!scene.againstFlow) return "";
-    return fmt::format("{}: OpenFOAM's '{}' points against the flow; --vectors 'reversed({})' turns it round",
-                       scene.surface.name, scene.vectorsName, scene.vectorsName);
+    const auto& [surface, array] = *scene.againstFlow;
+    return fmt::format("{}: OpenFOAM's '{}' points against the flow; {} turns it round", surface, array,
+                       scene.surfaces.empty() ? fmt::format("--vectors 'reversed({})'", array)
+                                              : fmt::format("\"vectors\": \"reversed({})\" of this surface", array));
 }
 
 std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOptions& lic, const Scene& scene,

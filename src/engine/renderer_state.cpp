@@ -115,14 +115,12 @@ void Renderer::State::load(const Data& memory, ProgressFunction progress)
     info.fieldBytesOfRank = ranks.allGatherValue(std::int64_t(info.fieldBytes));
     info.times = loaded->times();
     info.time = now = loaded->shownFor(startOf(description, info.times));
+    requireRoomForOverlay();
     tell();
 }
 
 void Renderer::State::tell()
 {
-    if (overlaysOf(description.shading.overlay).any())
-        runTogether(
-            group.communicator(), [&] { requireRoomForWhole(scene(), ranksOnHost, "--overlay"); }, false);
     StartedFrame frame;
     setLook(frame);
     const OutputOptions& output = description.output;
@@ -139,10 +137,19 @@ void Renderer::State::tell()
     info.triangles = scene().allTriangles;
 }
 
+/// What is laid over the surface is found once, and kept.
+void Renderer::State::requireRoomForOverlay()
+{
+    if (overlaysOf(description.shading.overlay).any() && !overlay.any())
+        runTogether(
+            group.communicator(), [&] { requireRoomForWhole(scene(), ranksOnHost, "--overlay"); }, false);
+}
+
 void Renderer::State::setLookOf(SceneDescription changed)
 {
     std::swap(description, changed);
     try {
+        requireRoomForOverlay();
         tell();
     } catch (...) {
         description = std::move(changed);

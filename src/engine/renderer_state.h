@@ -120,6 +120,7 @@ private:
     void makeBackend();
     void moveBackend(const SceneChange& change);
 
+    void requireRoomForOverlay();
     void namingAsGiven(const std::function<void()>& action);
     std::vector<std::string> sceneWarnings() const;
 };

@@ -17,6 +17,9 @@ public:
     /// SurfaceOutline().
     std::shared_ptr<const SurfaceOverlay> of(const ShadingOptions& shading, WholeScene whole);
 
+    /// Something has been found.
+    bool any() const { return topology_ || separation_ || edges_ || outline_ || streamlines_; }
+
     /// The data changed, or the part of them that is shown.
     void forget() { *this = {}; }
 

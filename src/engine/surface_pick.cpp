@@ -1,5 +1,6 @@
 #include "engine/surface_pick.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -99,6 +100,7 @@ std::vector<std::uint32_t> trianglesMet(const Scene& piece, const Camera& camera
     std::vector<std::uint32_t> triangles;
     for (const Hit& hit : nearestHits(piece, camera, rayThrough(piece, camera, x, y)))
         triangles.push_back(hit.place.triangle);
+    std::sort(triangles.begin(), triangles.end());
     return triangles;
 }
 

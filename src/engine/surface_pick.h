@@ -19,7 +19,7 @@ std::optional<PickedPlace> pickSurface(const Scene& scene, const Camera& camera,
                                        const FieldLookup& lookUp = vectorsAt);
 
 /// The triangles of a piece of the surface that the picture may show at pixel (x, y): those that the ray meets first,
-/// in the same place. Cost: O(triangles), parallel.
+/// in the same place. Ascending. Cost: O(triangles), parallel.
 std::vector<std::uint32_t> trianglesMet(const Scene& piece, const Camera& camera, int x, int y);
 
 }  // namespace aeolic

@@ -46,9 +46,15 @@ FieldLookup WholeScene::lookUp()
 std::optional<PickedPlace> WholeScene::pick(const Camera& camera, int x, int y)
 {
     if (!own_.inPieces) return pickSurface(own_, camera, x, y, lookUp());
-    const Scene met = around(gatherTriangles(ranks_, own_.surface, trianglesMet(own_, camera, x, y)));
+    const std::vector<std::uint32_t> own = trianglesMet(own_, camera, x, y);
+    GatheredTriangles gathered = gatherTriangles(ranks_, own_.surface, own);
+    gathered.mesh.order = {};  // Triangles are told by their places here.
+    const Scene met = around(std::move(gathered.mesh));
     std::optional<PickedPlace> place = pickSurface(met, camera, x, y, lookUp());
-    if (place) place->triangle = trianglesBefore(ranks_, own_.surface, place->triangle);
+    if (!place) return place;
+    const int rank = gathered.rank[place->triangle];
+    const std::uint32_t ofRank = gathered.ofRank[place->triangle];
+    place->triangle = placeInWhole(ranks_, own_.surface, rank, rank == ranks_.rank() ? own[ofRank] : 0);
     return place;
 }
 

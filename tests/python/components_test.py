@@ -90,3 +90,12 @@ def test_the_next_data_may_have_two_components_too():
     renderer = aeolic.Renderer(surface(U=uv), **SMALL)
     renderer.set_data(surface(U=later))
     assert same(renderer.render(), aeolic.render(surface(U=padded(later)), **SMALL))
+
+
+def test_reversed_vectors_of_two_components():
+    corners = numpy.array([[0, 0, 0], [1, 0, 0], [0, 0, 1]], "f4")
+    uv = numpy.array([[1, 0.5], [0.2, 1], [1, 1]], "f4")
+    surfaces = [aeolic.Surface(corners, [[0, 1, 2]], point_data={"U": values}) for values in (uv, padded(uv))]
+    pictures = [aeolic.render(surface, vectors="reversed(U)", style="oriented", **SMALL) for surface in surfaces]
+    assert same(*pictures)
+    assert not same(pictures[0], aeolic.render(surfaces[0], vectors="U", style="oriented", **SMALL))

@@ -44,32 +44,21 @@ Bytes bytesOf(const std::vector<Value>& values)
     return Bytes(begin, begin + values.size() * sizeof(Value));
 }
 
-}  // namespace
-
-SurfaceMesh gatherTriangles(Communicator& communicator, const SurfaceMesh& piece,
-                            const std::vector<std::uint32_t>& triangles)
+/// Of a number the triangles of the first rank that has any.
+std::vector<std::uint32_t> withoutRepeats(const SurfaceMesh& mesh, const std::vector<std::int32_t>& rank,
+                                          const std::vector<std::uint32_t>& sorted)
 {
-    std::vector<Bytes> all = communicator.allGather(triangleMessage(piece, triangles, {}));
-    SurfaceMesh whole;
-    whole.originWorld = piece.originWorld;
-    whole.name = piece.name;
-    for (int rank = 0; rank < communicator.size(); ++rank) {
-        Message message{rank, std::move(all[std::size_t(rank)])};
-        if (!message.bytes.empty()) takeTriangles(message, whole);
+    std::vector<std::uint32_t> kept;
+    kept.reserve(sorted.size());
+    for (const std::uint32_t place : sorted) {
+        const bool isSameNumber = !kept.empty() && mesh.order[kept.back()] == mesh.order[place];
+        if (!isSameNumber || rank[kept.back()] == rank[place]) kept.push_back(place);
     }
-    sortTriangles(whole);
-    dropRepeatedTriangles(whole);
-    return whole;
+    return kept;
 }
 
-SurfaceMesh gatherSurface(Communicator& communicator, const SurfaceMesh& piece)
-{
-    std::vector<std::uint32_t> triangles(piece.triangles.size());
-    std::iota(triangles.begin(), triangles.end(), 0u);
-    return gatherTriangles(communicator, piece, triangles);
-}
-
-std::uint64_t trianglesBefore(Communicator& communicator, const SurfaceMesh& piece, std::uint64_t order)
+/// How many triangles of all pieces have lower numbers, each counted once.
+std::uint64_t countBefore(Communicator& communicator, const SurfaceMesh& piece, std::uint64_t order)
 {
     std::vector<std::vector<std::uint64_t>> toRank(std::size_t(communicator.size()));
     for (const std::uint64_t each : piece.order)
@@ -77,14 +66,61 @@ std::uint64_t trianglesBefore(Communicator& communicator, const SurfaceMesh& pie
     std::vector<Message> outgoing;
     for (int rank = 0; rank < communicator.size(); ++rank)
         outgoing.push_back({rank, bytesOf(std::exchange(toRank[std::size_t(rank)], {}))});
-    std::vector<std::uint64_t> counted;
-    for (const Message& message : communicator.exchange(std::move(outgoing))) {
-        const auto more = valuesOf<std::uint64_t>(message);
-        counted.insert(counted.end(), more.begin(), more.end());
-    }
+    std::vector<std::pair<std::uint64_t, int>> counted;  // Numbers, and whose they are.
+    for (const Message& message : communicator.exchange(std::move(outgoing)))
+        for (const std::uint64_t each : valuesOf<std::uint64_t>(message)) counted.emplace_back(each, message.rank);
     std::sort(counted.begin(), counted.end());
-    const auto different = std::unique(counted.begin(), counted.end()) - counted.begin();
-    return std::uint64_t(communicator.allReduce(std::int64_t(different), Reduction::sum));
+    std::int64_t count = 0;
+    const std::pair<std::uint64_t, int>* first = nullptr;  // Of the same number.
+    for (const auto& each : counted) {
+        if (!first || first->first != each.first) first = &each;
+        count += each.second == first->second;
+    }
+    return std::uint64_t(communicator.allReduce(count, Reduction::sum));
+}
+
+}  // namespace
+
+GatheredTriangles gatherTriangles(Communicator& communicator, const SurfaceMesh& piece,
+                                  const std::vector<std::uint32_t>& triangles)
+{
+    std::vector<Bytes> all = communicator.allGather(triangleMessage(piece, triangles, {}));
+    GatheredTriangles found;
+    SurfaceMesh& whole = found.mesh;
+    whole.originWorld = piece.originWorld;
+    whole.name = piece.name;
+    for (int rank = 0; rank < communicator.size(); ++rank) {
+        Message message{rank, std::move(all[std::size_t(rank)])};
+        if (message.bytes.empty()) continue;
+        const auto before = std::uint32_t(whole.triangles.size());
+        takeTriangles(message, whole);
+        found.rank.resize(whole.triangles.size(), rank);
+        for (std::uint32_t i = before; i < whole.triangles.size(); ++i) found.ofRank.push_back(i - before);
+    }
+    const std::vector<std::uint32_t> kept = withoutRepeats(whole, found.rank, sortedByNumber(whole));
+    takeTriangles(whole, kept);
+    permute(found.rank, kept);
+    permute(found.ofRank, kept);
+    return found;
+}
+
+SurfaceMesh gatherSurface(Communicator& communicator, const SurfaceMesh& piece)
+{
+    std::vector<std::uint32_t> triangles(piece.triangles.size());
+    std::iota(triangles.begin(), triangles.end(), 0u);
+    return gatherTriangles(communicator, piece, triangles).mesh;
+}
+
+std::uint64_t placeInWhole(Communicator& communicator, const SurfaceMesh& piece, int rank, std::uint32_t which)
+{
+    const bool isMine = rank == communicator.rank();
+    // What the owner gives, and zeros of all others.
+    std::int64_t number = isMine ? std::int64_t(piece.order[which]) : 0;
+    number = communicator.allReduce(number, Reduction::sum);
+    std::int64_t amongParts = 0;
+    for (std::uint32_t i = which; isMine && i > 0 && piece.order[i - 1] == piece.order[which]; --i) ++amongParts;
+    return countBefore(communicator, piece, std::uint64_t(number)) +
+           std::uint64_t(communicator.allReduce(amongParts, Reduction::sum));
 }
 
 std::vector<FieldVector> vectorsOfAll(Communicator& communicator, const GridField& field,

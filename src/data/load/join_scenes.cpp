@@ -113,9 +113,8 @@ Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description
                              std::string(suffixOf(joined.ofVectors)) + "' of vectors to colour by",
                          "one of them for all surfaces, or arrays of the surfaces' own");
     joined.vectorsName = vectorsNameOf(parts);
-    joined.againstFlow = std::any_of(parts.begin(), parts.end(), [](const auto& part) {
-        return part->source().item.streaks && part->scene.againstFlow;
-    });
+    for (const auto& part : parts)
+        if (part->source().item.streaks && !joined.againstFlow) joined.againstFlow = part->scene.againstFlow;
     markOwnValues(parts, joined);
     if (joined.colors.size() > SceneColors::kMost)
         throw InputError("surfaces", fmt::format("found {} kinds of colours", joined.colors.size()),

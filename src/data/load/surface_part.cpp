@@ -93,7 +93,8 @@ void SurfacePart::takeSurface(LoadedSurface&& surface)
     scene.scalarName = surface.scalarLabel;
     scene.ofVectors = surface.ofVectors;
     scene.vectorsName = surface.vectorsName;
-    scene.againstFlow = pointsAgainstFlow(source().track, surface.vectorsName);
+    scene.againstFlow.reset();
+    if (pointsAgainstFlow(source().track, surface.vectorsName)) scene.againstFlow = {spec.text, surface.vectorsName};
     scene.surfaceArrays = std::move(surface.offered);
     originWorld_ = scene.surface.originWorld;
     tallies_ = surface.tallies;

@@ -22,7 +22,10 @@ void permute(std::vector<Value>& values, const std::vector<std::uint32_t>& place
 /// stay in their order.
 void sortTriangles(SurfaceMesh& mesh);
 
-/// Of triangles of the same number only the first one stays. The mesh is sorted.
-void dropRepeatedTriangles(SurfaceMesh& mesh);
+/// How sortTriangles() sorts: the places of the triangles before.
+std::vector<std::uint32_t> sortedByNumber(const SurfaceMesh& mesh);
+
+/// Takes these triangles, in this order, with all that belongs to them; points stay.
+void takeTriangles(SurfaceMesh& mesh, const std::vector<std::uint32_t>& places);
 
 }  // namespace aeolic

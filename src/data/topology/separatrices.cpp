@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 
 #include "base/parallel.h"
@@ -12,12 +11,12 @@
 namespace aeolic {
 namespace {
 
-/// A separatrix is straight as far as the saddle's triangle reaches, in which the flow is linear. It is followed from
-/// this part of that way on. Nearer the flow may be so slow beside that across that it counts as at rest.
-constexpr double kStraightPart = 0.5;
+/// A separatrix begins so far from its saddle, as a part of the triangle's side: nearer the flow has no direction.
+constexpr double kBesideSaddle = 1e-3;
 
-/// A saddle whose least weight is below this lies on a side of its triangle.
-constexpr double kOnSide = 2e-3;
+/// A saddle that is nearer to a side than this, by weight, counts as on it, and one nearer to a point as at it: starts
+/// beside it would leave the triangle. Those around a point lie farther off.
+constexpr double kNearSide = 2 * kBesideSaddle, kNearPoint = 10 * kBesideSaddle, kBesidePoint = 0.1;
 
 /// The flow's derivative at a saddle stretches along one direction and shrinks along another.
 std::array<glm::dvec2, 2> eigenvectors(const glm::dmat2& m)
@@ -32,18 +31,14 @@ std::array<glm::dvec2, 2> eigenvectors(const glm::dmat2& m)
     return {vectorOf(middle + root), vectorOf(middle - root)};
 }
 
-/// The place on the straight way from another one, in a direction that leads into the triangle, at which a separatrix
-/// begins.
-SurfacePlace onTheWay(const FlatTriangle& flat, std::uint32_t triangle, const glm::dvec3& from,
-                      const glm::dvec2& direction)
+/// A place in the plane of a triangle, a little beside another one; kept on the triangle's border where it would leave.
+SurfacePlace beside(const FlatTriangle& flat, const CriticalPoint& point, const glm::dvec2& direction)
 {
-    constexpr double asGoodAsNone = 1e-12;
-    const glm::dvec3 change = flat.weightChange(direction);
-    double farthest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i)
-        if (change[i] < 0 && from[i] > asGoodAsNone) farthest = std::min(farthest, from[i] / -change[i]);
-    const glm::dvec3 weight = glm::max(from + kStraightPart * farthest * change, glm::dvec3(0));
-    return {triangle, weight / (weight.x + weight.y + weight.z)};
+    const glm::dvec3 from = point.place.weight;
+    const double side = glm::length(flat.point[1] - flat.point[0]);
+    glm::dvec3 weight = flat.weightsOf(flat.at(from) + kBesideSaddle * side * direction);
+    weight = glm::max(weight, glm::dvec3(0));
+    return {point.place.triangle, weight / (weight.x + weight.y + weight.z)};
 }
 
 /// A direction in which the flow runs straight away from a point or to it, by the cosine between the two.
@@ -60,9 +55,7 @@ std::vector<Start> startsInTriangle(const FlatTriangle& flat, const CriticalPoin
     const std::array<glm::dvec2, 2> along = eigenvectors(flat.derivative());
     std::vector<Start> starts;
     for (std::size_t k = 0; k < 4; ++k)
-        starts.push_back(
-            {onTheWay(flat, saddle.place.triangle, saddle.place.weight, (k % 2 == 0 ? 1.0 : -1.0) * along[k / 2]),
-             k < 2 ? 1 : -1});
+        starts.push_back({beside(flat, saddle, (k % 2 == 0 ? 1.0 : -1.0) * along[k / 2]), k < 2 ? 1 : -1});
     return starts;
 }
 
@@ -88,10 +81,10 @@ std::vector<Start> startsAroundPoint(const SurfaceMesh& mesh, const SurfaceFans&
                          last = weight[int(SurfaceFans::previousInTriangle(c) % 3)];
             if (!(next > alongSide) || last < -alongSide) continue;
             glm::dvec3 at(0);
-            at[int(c % 3)] = 1 - kStraightPart;
-            at[int(nextInTriangle(c) % 3)] = kStraightPart * next / (next + std::max(last, 0.0));
+            at[int(c % 3)] = 1 - kBesidePoint;
+            at[int(nextInTriangle(c) % 3)] = kBesidePoint * next / (next + std::max(last, 0.0));
             at[int(SurfaceFans::previousInTriangle(c) % 3)] =
-                kStraightPart * std::max(last, 0.0) / (next + std::max(last, 0.0));
+                kBesidePoint * std::max(last, 0.0) / (next + std::max(last, 0.0));
             const glm::dvec2 flow = derivative * way;
             const double outwards = glm::dot(flow, way);
             if (std::abs(outwards) < kStraight * glm::length(flow) || outwards == 0) continue;  // It turns here.
@@ -111,9 +104,11 @@ void addStartsInto(const FlatTriangle& flat, std::uint32_t triangle, int opposit
     const double side = glm::length(flat.point[1] - flat.point[0]);
     for (std::size_t k = 0; k < 4; ++k) {
         const glm::dvec2 way = (k % 2 == 0 ? 1.0 : -1.0) * along[k / 2];
-        const double inwards = side * flat.weightChange(way)[opposite];
+        glm::dvec3 weight = flat.weightsOf(flat.at(from) + kBesideSaddle * side * way);
+        const double inwards = weight[opposite] - from[opposite];
         if (inwards < -alongSide || (inwards <= alongSide && !takesSide)) continue;
-        starts.push_back({onTheWay(flat, triangle, from, way), k < 2 ? 1 : -1});
+        weight = glm::max(weight, glm::dvec3(0));
+        starts.push_back({{triangle, weight / (weight.x + weight.y + weight.z)}, k < 2 ? 1 : -1});
     }
 }
 
@@ -143,14 +138,14 @@ std::optional<int> sideAt(const SurfacePlace& place)
     int least = 0;
     for (int i = 1; i < 3; ++i)
         if (place.weight[i] < place.weight[least]) least = i;
-    return place.weight[least] < kOnSide ? std::optional(least) : std::nullopt;
+    return place.weight[least] < kNearSide ? std::optional(least) : std::nullopt;
 }
 
-/// The corner of the triangle that a place is at.
+/// The corner of the triangle that a place is at, or nearly so.
 std::optional<std::uint32_t> cornerAt(const SurfacePlace& place)
 {
     for (int i = 0; i < 3; ++i)
-        if (place.weight[i] == 1) return 3 * place.triangle + std::uint32_t(i);
+        if (place.weight[i] > 1 - kNearPoint) return 3 * place.triangle + std::uint32_t(i);
     return {};
 }
 

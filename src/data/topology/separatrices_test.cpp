@@ -41,21 +41,35 @@ TEST(Separatrices, OfASaddleOnAPlaneAreItsAxes)
     EXPECT_NEAR(ends, 2 * zero.x + 2 * zero.y, 1e-3);  // One to either side of the plane, each way.
 }
 
-/// The flow runs away so slowly beside how it comes that it seems to rest near the saddle.
+/// The flow runs away so slowly beside how it comes that it seems to rest near the saddle, wherever that lies in a
+/// triangle: within, beside a side, and beside a point.
 TEST(Separatrices, OfASaddleThatLeavesSlowlyAreFound)
 {
     const SurfaceMesh mesh = makeBuiltinSurface("plane:5000");
-    for (const float slowly : {1.0f, 0.03f, 1e-3f}) {
-        std::vector<glm::vec3> vectors;
-        for (const glm::vec3& p : mesh.positions) vectors.emplace_back(slowly * (p.x - 0.013f), -0.021f - p.y, 0.0f);
-        const SurfaceFans fans = surfaceFans(mesh);
-        const TangentField field = tangentField(mesh, fans, vectors);
-        const std::vector<CriticalPoint> points = criticalPoints(mesh, fans, field);
-        ASSERT_EQ(points.size(), 1u) << slowly;
-        const std::vector<Separatrix> lines = separatrices(mesh, fans, field, points, 100);
-        ASSERT_EQ(lines.size(), 4u) << slowly;
-        for (const Separatrix& line : lines) EXPECT_GT(line.line.lengthWorld, 0.5) << slowly;
-    }
+    const glm::vec3 point = mesh.positions[mesh.positions.size() / 2 + 7];
+    std::vector<glm::vec2> zeros{glm::vec2(point) + glm::vec2(1e-7f, 3e-8f),
+                                 glm::vec2(point) + glm::vec2(1e-4f, -2e-5f),
+                                 glm::vec2(point) + glm::vec2(-3e-4f, 2e-4f)};
+    for (int i = 0; i < 40; ++i) zeros.emplace_back(0.013f + 0.0017f * float(i), -0.021f + 0.0031f * float(i % 7));
+    for (const float slowly : {1.0f, 0.03f, 2e-3f})
+        for (const float turnRad : {0.0f, 0.4f})
+            for (const glm::vec2& zero : zeros) {
+                const glm::vec2 out(std::cos(turnRad), std::sin(turnRad)), in(-out.y, out.x);
+                std::vector<glm::vec3> vectors;
+                for (const glm::vec3& p : mesh.positions) {
+                    const glm::vec2 at = glm::vec2(p) - zero;
+                    vectors.emplace_back(slowly * glm::dot(at, out) * out - glm::dot(at, in) * in, 0.0f);
+                }
+                const SurfaceFans fans = surfaceFans(mesh);
+                const TangentField field = tangentField(mesh, fans, vectors);
+                const std::vector<CriticalPoint> points = criticalPoints(mesh, fans, field);
+                ASSERT_EQ(points.size(), 1u) << slowly;
+                const std::vector<Separatrix> lines = separatrices(mesh, fans, field, points, 100);
+                EXPECT_GE(lines.size(), 4u) << slowly << " from " << zero.x << ' ' << zero.y;
+                for (const Separatrix& line : lines)
+                    EXPECT_GT(line.line.lengthWorld, 0.3) << slowly << " from " << zero.x << ' ' << zero.y << ", "
+                                                          << line.direction << ", end " << int(line.line.end);
+            }
 }
 
 /// Columns of points run through the saddle: two of its lines leave the triangle that it is found in at once.

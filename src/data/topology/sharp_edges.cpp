@@ -32,8 +32,8 @@ public:
     {
     }
 
-    /// The nearest place on such an edge that begins or ends at a corner of the place's triangle; nothing where there
-    /// is none.
+    /// The nearest place on such an edge, of those that begin or end at a corner of the place's triangle, if the place
+    /// is beside it: a line that only passes by stays where it is. Nothing where there is none.
     std::optional<LaidPlace> nearestTo(const SurfacePlace& place)
     {
         if (!near_ || near_->triangle != place.triangle) near_ = edgesNear(place.triangle);
@@ -41,8 +41,9 @@ public:
         std::optional<LaidPlace> nearest;
         double least = 0;
         for (const std::uint32_t h : near_->halfEdges) {
-            const LaidPlace laid = laidOn(at, h);
-            const double distance = glm::distance(positionWorld(mesh_, laid.place), at);
+            const auto laid = laidOn(at, h);
+            if (!laid) continue;
+            const double distance = glm::distance(positionWorld(mesh_, laid->place), at);
             if (nearest && distance >= least) continue;
             nearest = laid;
             least = distance;
@@ -108,15 +109,19 @@ private:
         return bends;
     }
 
-    LaidPlace laidOn(const glm::dvec3& atWorld, std::uint32_t halfEdge) const
+    /// Beside the edge, or beyond an end of it in which edges meet at an angle.
+    std::optional<LaidPlace> laidOn(const glm::dvec3& atWorld, std::uint32_t halfEdge) const
     {
-        const int begin = int(halfEdge % 3), end = int(nextInTriangle(halfEdge) % 3);
-        SurfacePlace place = atCorner(halfEdge);
-        const glm::dvec3 from = positionWorld(mesh_, place), along = edge(halfEdge);
-        const double part = std::clamp(glm::dot(atWorld - from, along) / glm::dot(along, along), 0.0, 1.0);
-        place.weight[begin] = 1 - part;
-        place.weight[end] = part;
-        return {place, halfEdge};
+        const std::uint32_t end = nextInTriangle(halfEdge);
+        const glm::dvec3 from = positionWorld(mesh_, atCorner(halfEdge)), along = edge(halfEdge);
+        const double part = glm::dot(atWorld - from, along) / glm::dot(along, along);
+        if (part < 0)
+            return meetAtAngle(halfEdge) ? std::optional(LaidPlace{atCorner(halfEdge), halfEdge}) : std::nullopt;
+        if (part > 1) return meetAtAngle(end) ? std::optional(LaidPlace{atCorner(end), halfEdge}) : std::nullopt;
+        SurfacePlace place{halfEdge / 3, glm::dvec3(0)};
+        place.weight[int(halfEdge % 3)] = 1 - part;
+        place.weight[int(end % 3)] = part;
+        return LaidPlace{place, halfEdge};
     }
     glm::dvec3 edge(std::uint32_t halfEdge) const
     {
@@ -171,7 +176,24 @@ void endAt(const SurfaceMesh& mesh, const SurfacePlace& point, std::vector<Surfa
     const auto first = std::find_if(places.begin(), places.end(),
                                     [&](const SurfacePlace& place) { return positionWorld(mesh, place) == at; });
     if (first != places.end()) places.erase(first + 1, places.end());
-    places.back() = point;
+    if (places.size() > 1) places.pop_back();
+    places.push_back(point);
+}
+
+double lengthOf(const SurfaceMesh& mesh, const std::vector<SurfacePlace>& places)
+{
+    double length = 0;
+    for (std::size_t i = 1; i < places.size(); ++i)
+        length += glm::distance(positionWorld(mesh, places[i]), positionWorld(mesh, places[i - 1]));
+    return length;
+}
+
+/// Whether flow followed in that direction may come to the point along an edge.
+bool mayGather(const CriticalPoint& point, int direction)
+{
+    if (point.kind == CriticalKind::saddle) return true;
+    const bool isEnd = point.kind == CriticalKind::node || point.kind == CriticalKind::focus;
+    return isEnd && point.attracts == (direction > 0);
 }
 
 }  // namespace
@@ -185,17 +207,18 @@ void layOnSharpEdges(const SurfaceMesh& mesh, const SurfaceFans& fans, const Tan
     });
     for (CriticalPoint& point : topology.points)
         for (const int direction : {1, -1}) {
-            if (point.kind != CriticalKind::saddle && point.attracts != (direction > 0)) continue;
+            if (!mayGather(point, direction)) continue;
             SharpEdges edges(mesh, fans, field, direction);
             const auto found = edges.nearestTo(point.place);
             if (!found) continue;
             const auto corner = edges.cornerBeside(point.place);
-            point.place = corner && point.index > 0 ? *corner : found->place;
+            point.place = corner && point.kind != CriticalKind::saddle ? *corner : found->place;
             break;
         }
     for (TopologyLine& line : topology.lines) {
         line.places.front() = topology.points[line.saddle].place;
         if (line.other) endAt(mesh, topology.points[*line.other].place, line.places);
+        line.lengthWorld = lengthOf(mesh, line.places);
     }
 }
 

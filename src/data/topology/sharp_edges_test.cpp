@@ -64,6 +64,29 @@ TEST(SharpEdges, ALineWhereTheFlowOfBothSidesMeetsIsTheEdge)
     }
 }
 
+/// Beyond y = 3 the flow crosses the ridge. The line leaves it there, and nothing is pulled back to its end.
+TEST(SharpEdges, ALineThatLeavesTheEdgeGoesOn)
+{
+    Roof sharp = roof(1, 1);
+    for (std::size_t i = 0; i < sharp.vectors.size(); ++i) {
+        const glm::vec3& at = sharp.mesh.positions[i];
+        if (at.y > 3) sharp.vectors[i] = glm::vec3(1, 0.2f * (at.y - 0.37f), at.x < 0 ? 1 : at.x > 0 ? -1 : 0);
+    }
+    int crossed = 0;
+    for (const TopologyLine& line : surfaceTopology(sharp.mesh, sharp.vectors, {.persistence = 0}).lines) {
+        double lengthWorld = 0;
+        for (std::size_t i = 1; i < line.places.size(); ++i) {
+            const glm::dvec3 at = positionWorld(sharp.mesh, line.places[i]);
+            const double step = glm::distance(at, positionWorld(sharp.mesh, line.places[i - 1]));
+            EXPECT_LT(step, 1.5) << "no place is far from the one before";
+            lengthWorld += step;
+            crossed += at.y > 5 && at.x > 1;
+        }
+        EXPECT_NEAR(line.lengthWorld, lengthWorld, 1e-9);
+    }
+    EXPECT_GT(crossed, 0);
+}
+
 /// On a surface that bends little the line stays where the flow turns round.
 TEST(SharpEdges, AFlatEdgeIsNone)
 {

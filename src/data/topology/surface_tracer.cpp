@@ -16,7 +16,8 @@ constexpr double kTimePart = 0.5;
 /// Places of trace() are so far apart at most, as a part of the triangle's longest side.
 constexpr double kPlacePart = 0.25;
 
-/// Where the flow is slower than this part of what it is at the triangle's corners a line has come to a point at rest.
+/// Where the flow is slower than this part of what it is at the triangle's corners, and gets slower, a line has come to
+/// a point at rest. Beside a saddle that it leaves, the flow may be slower still.
 constexpr double kAtRest = 1e-4;
 
 /// So near to a corner, by its weight, a line passes through it. It is then set so far into the next triangle.
@@ -27,8 +28,8 @@ constexpr double kAtCorner = 1e-9, kIntoTriangle = 1e-6;
 constexpr double kSamePlace = 1e-3;
 constexpr std::size_t kMostCrossings = 100;
 /// The most steps in one triangle, and the most triangles on a line. A line takes many steps in a triangle where it
-/// nears a focus slowly, or where the triangle is thin and the flow in it turns.
-constexpr int kMostSteps = 1 << 12, kMostTriangles = 1 << 20;
+/// nears a focus or leaves a saddle slowly, or where the triangle is thin and the flow in it turns.
+constexpr int kMostSteps = 1 << 14, kMostTriangles = 1 << 20;
 
 double longestSide(const FlatTriangle& flat)
 {
@@ -126,8 +127,9 @@ std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk) const
                  longest = longestSide(flat);
     const double shortSteps = std::min(8 * longest / walk.stepWorld, 1e6);  // That it may need to pass the triangle.
     for (int step = 0; step < kMostSteps + int(shortSteps); ++step) {
-        const double speed = glm::length(flat.flowAt(walk.at.weight));
-        if (!(speed > kAtRest * fastest)) {
+        const glm::dvec2 flow = flat.flowAt(walk.at.weight);
+        const double speed = glm::length(flow), faster = walk.direction * glm::dot(flow, derivative * flow);
+        if (!(speed > kAtRest * fastest || faster > 0)) {
             walk.end = LineEnd::rest;
             return {};
         }

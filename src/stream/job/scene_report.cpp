@@ -20,6 +20,7 @@
 #include "description/scene_document.h"
 #include "description/scene_json.h"
 #include "description/surface_spec.h"
+#include "description/vectors_text.h"
 #include "engine/renderer_internals.h"
 #include "engine/scene_view.h"
 
@@ -102,8 +103,13 @@ Json choices(const Renderer& renderer)
     const bool fieldFile = !description.field.spec.empty() && !isBuiltinFlow(description.field.spec);
     Json vectors = Json::array(), colorBy = Json::array(), isosurface = Json::array();
     const ArrayChoices& vectorArrays = description.field.spec.empty() ? scene.surfaceArrays : scene.fieldArrays;
-    for (const ArrayChoice& array : vectorArrays)
-        if (array.components == 3) addNew(vectors, array.name);
+    const std::string shown = parseSurfaceVectors(scene.vectorsName).name;
+    for (const ArrayChoice& array : vectorArrays) {
+        if (array.components != 3) continue;
+        addNew(vectors, array.name);
+        if (description.field.spec.empty() && array.name == shown) addNew(vectors, reversedName(shown));
+    }
+    if (!description.field.vectors.empty()) addNew(vectors, description.field.vectors);  // wallShear(NAME), too.
     const auto nameOf = [](const ArrayChoice& array) {
         return array.components == 1 ? array.name : array.name + ":mag";
     };
@@ -113,7 +119,7 @@ Json choices(const Renderer& renderer)
         if (array.components != 3) return;
         for (const ArrayPart part : {ArrayPart::x, ArrayPart::y, ArrayPart::z})
             addNew(colorBy, prefix + array.name + std::string(suffixOf(part)));
-        if (!withNormal || array.name != scene.vectorsName) return;
+        if (!withNormal || array.name != shown) return;
         for (const ArrayPart part : {ArrayPart::normal, ArrayPart::tangential})
             addNew(colorBy, prefix + array.name + std::string(suffixOf(part)));
     };
