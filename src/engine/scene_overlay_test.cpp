@@ -13,7 +13,6 @@
 #include "description/choices.h"
 #include "ranks/thread_communicator.h"
 #include "render_testing.h"
-#include "same_bytes_testing.h"
 
 namespace aeolic {
 namespace {
@@ -285,21 +284,6 @@ TEST(FlowTopology, TheSameOnAllRanksAndByThePersistenceAskedFor)
     });
     scene.shading.persistence = 1;
     EXPECT_LT(Renderer(scene).topology().points.size(), alone.points.size());
-}
-
-TEST(SceneOverlay, ASurfaceInPiecesIsRefused)
-{
-    SceneDescription scene;
-    scene.surface.spec = "sphere:2000";
-    scene.field.spec = "abc:16,16,16";
-    scene.shading.overlay = "topology";
-    scene.run.backend = BackendChoice::cpu;
-    scene.run.bricks = BrickChoice::on;
-    EXPECT_EQ(complaintOf(scene, 2),
-              "--overlay: the surface or its field is in pieces; expected --bricks off, and room for "
-              "the whole scene on each rank");
-    scene.run.bricks = BrickChoice::off;
-    EXPECT_EQ(complaintOf(scene, 2), "");
 }
 
 }  // namespace

@@ -20,9 +20,9 @@ def read(path):
 class PicksOfPixels(unittest.TestCase):
     """What a view shows at a pixel, between pictures of others."""
 
-    def picks(self, ranks):
+    def picks(self, ranks, *options):
         scene = ["--surface", "sphere:20000", "--field", "rotation:33,33,33", "--color-by", "rotation:mag", "--steps", "4"]
-        with Server("--ranks", str(ranks), scene=scene) as server, server.viewer() as a, server.viewer() as b:
+        with Server("--ranks", str(ranks), scene=[*scene, *options]) as server, server.viewer() as a, server.viewer() as b:
             a.until(lambda _: a.scene)
             view = {"camera": {"azimuth": 0, "elevation": 0}}
             place = a.pick(32, 24, **view)
@@ -52,12 +52,8 @@ class PicksOfPixels(unittest.TestCase):
         self.picks(2)
 
     @unittest.skipUnless(has_mpirun, "no mpirun, or a build without MPI")
-    def test_of_pieces_are_refused(self):
-        scene = ["--surface", "sphere:2000", "--field", "rotation:33,33,33", "--bricks", "on"]
-        with Server("--ranks", "2", scene=scene) as server, server.viewer() as viewer:
-            viewer.until(lambda _: viewer.scene)
-            self.assertIn("pick: the surface or its field is in pieces", viewer.pick(32, 24))
-            viewer.see(width=64, height=48)
+    def test_two_ranks_with_a_field_in_bricks(self):
+        self.picks(2, "--bricks", "on")
 
 
 class SameBytesAsRender(unittest.TestCase):

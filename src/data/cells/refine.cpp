@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "data/mesh/mesh_edges.h"
+#include "data/mesh/triangle_order.h"
 
 namespace aeolic {
 namespace {
@@ -26,16 +27,6 @@ void addNormals(std::vector<glm::vec3>& normals, const std::vector<glm::uvec2>& 
         const float length = glm::length(sum);
         normals.push_back(length > 1e-6f ? sum / length : normals[end.x]);
     }
-}
-
-template <class Value>
-void repeat(std::vector<Value>& values, const std::vector<std::uint32_t>& source)
-{
-    if (values.empty()) return;
-    std::vector<Value> all;
-    all.reserve(source.size());
-    for (const std::uint32_t triangle : source) all.push_back(values[triangle]);
-    values.swap(all);
 }
 
 /// The parts of a triangle whose edges have the middles `m`.
@@ -112,9 +103,9 @@ void cutEdges(SurfaceMesh& mesh, const EdgeCuts& cuts)
         source.resize(parts.size(), std::uint32_t(t));
     }
     mesh.triangles.swap(parts);
-    repeat(mesh.cellVectors, source);
-    repeat(mesh.cellScalars, source);
-    repeat(mesh.order, source);
+    permute(mesh.cellVectors, source);
+    permute(mesh.cellScalars, source);
+    permute(mesh.order, source);
     addMiddles(mesh.positions, cuts.ends);
     addMiddles(mesh.pointVectors, cuts.ends);
     addMiddles(mesh.pointScalars, cuts.ends);

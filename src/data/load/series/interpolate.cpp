@@ -9,6 +9,7 @@
 #include "base/large_memory.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "data/mesh/triangle_order.h"
 
 namespace aeolic {
 
@@ -51,16 +52,6 @@ std::vector<std::uint32_t> matchingPoints(const LoadedSurface& first, const Load
         match.push_back(ofId[id]);
     }
     return match;
-}
-
-template <class Value>
-void reorder(std::vector<Value>& values, const std::vector<std::uint32_t>& order)
-{
-    if (values.empty()) return;
-    std::vector<Value> out;
-    out.reserve(order.size());
-    for (const std::uint32_t i : order) out.push_back(values[i]);
-    values.swap(out);
 }
 
 bool sameArrays(const SurfaceMesh& a, const SurfaceMesh& b)
@@ -126,10 +117,10 @@ std::optional<LoadedSurface> interpolated(const LoadedSurface& first, const Load
         second.pointIds) {  // Polygons were cut into other triangles, and points met in another order.
         const std::vector<std::uint32_t> order = matchingPoints(first, second);
         if (order.empty()) return std::nullopt;
-        reorder(other.positions, order);
-        reorder(other.normals, order);
-        reorder(other.pointVectors, order);
-        reorder(other.pointScalars, order);
+        permute(other.positions, order);
+        permute(other.normals, order);
+        permute(other.pointVectors, order);
+        permute(other.pointScalars, order);
     }
     setOrigin(other, first.mesh.originWorld);
     LoadedSurface surface = first;
