@@ -64,6 +64,7 @@ std::uint64_t countBefore(Communicator& communicator, const SurfaceMesh& piece, 
     for (const std::uint64_t each : piece.order)
         if (each < order) toRank[counterOf(each, communicator.size())].push_back(each);
     std::vector<Message> outgoing;
+    outgoing.reserve(toRank.size());
     for (int rank = 0; rank < communicator.size(); ++rank)
         outgoing.push_back({rank, bytesOf(std::exchange(toRank[std::size_t(rank)], {}))});
     std::vector<std::pair<std::uint64_t, int>> counted;  // Numbers, and whose they are.
