@@ -20,6 +20,10 @@ constexpr double kTimesFarther[kWallTries] = {1, 2, 4, 8};
 // A quad's diagonal is 1.41 times as long as its cell is wide across a flat wall.
 constexpr double kLongestOfCellWidth = 1.5;
 
+// Cells that are thinner than this, as a part of an edge, are damaged: a few halvings would not make parts of their
+// size.
+constexpr double kThinnest = 0x1p-40;
+
 // An edge that touches no cell is still cut, down to this part of the volume's diagonal, where cells may be near it.
 constexpr double kLongestBesideVolume = 1.0 / 16;
 
@@ -221,8 +225,10 @@ bool longerThanCell(const VolumeSampler& sampler, const glm::dvec3& a, const glm
     const double length = glm::length(b - a);
     if (!(length > 0)) return false;
     CellPlace place;
-    if (sampler.find(middle, glm::dvec3(0), place))
-        return length > kLongestOfCellWidth * sampler.widthOf(place, (b - a) / length);
+    if (sampler.find(middle, glm::dvec3(0), place)) {
+        const double width = sampler.widthOf(place, (b - a) / length);
+        return length > kLongestOfCellWidth * width && width > kThinnest * length;
+    }
     const double distance = std::sqrt(CellTree::distanceSquared(sampler.bounds(), middle));
     return distance < kReachOfLongestEdge * length && length > kLongestBesideVolume * sampler.bounds().diagonal();
 }

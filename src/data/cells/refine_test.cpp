@@ -1,6 +1,8 @@
 #include "data/cells/refine.h"
 
 #include <gtest/gtest.h>
+#include "data/cells/grid_sampler.h"
+#include "data/cells/near_wall.h"
 
 #include <map>
 #include <set>
@@ -107,6 +109,22 @@ TEST(Refine, PiecesAreCutAsTheWholeIs)
         ofPieces.merge(trianglesOf(piece));
     }
     EXPECT_EQ(ofPieces, trianglesOf(whole));
+}
+
+/// As in damaged files. Each of the twelve rounds would cut all edges.
+TEST(Refine, CellsWithoutWidthCutNoEdge)
+{
+    GridField grid;
+    grid.dims = {5, 4, 3};
+    grid.originWorld = {-1e61, -1, -1};
+    grid.spacingWorld = {1e61, 1e-310, 1};
+    grid.samples = std::make_shared<std::vector<float>>(180, 1.0f);
+    const GridSampler sampler(std::make_shared<const GridField>(grid), nullptr);
+    EXPECT_FALSE(longerThanCell(sampler, {0, -1.5, 0}, {0, -0.5, 0}));
+    grid.originWorld = {-1, -1, -1};
+    grid.spacingWorld = {1, 1e-5, 1};
+    const GridSampler thin(std::make_shared<const GridField>(grid), nullptr);
+    EXPECT_TRUE(longerThanCell(thin, {0, -1.5, 0}, {0, -0.5, 0})) << "as in a boundary layer";
 }
 
 }  // namespace
