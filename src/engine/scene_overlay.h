@@ -13,8 +13,9 @@ namespace aeolic {
 /// What the options lay over a scene's surface. Each part is found once, and kept while the data and its options stay.
 class SceneOverlay {
 public:
-    /// As WholeScene's operations. Null: none. Cost where it is not known: surfaceTopology(), EvenStreamlines(),
-    /// SurfaceOutline().
+    /// What the options ask for; null where they ask for nothing. Collective where the scene is in pieces, because then
+    /// the surface is gathered, else Local. The cost of what is not known yet is that of surfaceTopology(),
+    /// EvenStreamlines() and SurfaceOutline().
     std::shared_ptr<const SurfaceOverlay> of(const ShadingOptions& shading, WholeScene whole);
 
     /// Something has been found.

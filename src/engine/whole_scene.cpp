@@ -12,7 +12,8 @@
 namespace aeolic {
 namespace {
 
-/// Of a triangle on each rank: the surface as it travels and as it is kept, and what finds lines on it.
+/// How many bytes a triangle of the whole surface takes on each rank: while it is gathered, as it is kept, and for what
+/// finds lines on it.
 constexpr std::uint64_t kWholeBytes = 256;
 
 }  // namespace

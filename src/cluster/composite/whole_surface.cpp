@@ -44,7 +44,8 @@ Bytes bytesOf(const std::vector<Value>& values)
     return Bytes(begin, begin + values.size() * sizeof(Value));
 }
 
-/// Of a number the triangles of the first rank that has any.
+/// The places of the triangles that stay, of those sorted by number. Where several ranks gave triangles of the same
+/// number, those of the lowest rank stay.
 std::vector<std::uint32_t> withoutRepeats(const SurfaceMesh& mesh, const std::vector<std::int32_t>& rank,
                                           const std::vector<std::uint32_t>& sorted)
 {

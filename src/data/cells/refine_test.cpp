@@ -111,7 +111,7 @@ TEST(Refine, PiecesAreCutAsTheWholeIs)
     EXPECT_EQ(ofPieces, trianglesOf(whole));
 }
 
-/// As in damaged files. Each of the twelve rounds would cut all edges.
+/// Damaged files have such cells. Without a limit each round of refinement would cut every edge.
 TEST(Refine, CellsWithoutWidthCutNoEdge)
 {
     GridField grid;

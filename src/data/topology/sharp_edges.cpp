@@ -180,14 +180,6 @@ void endAt(const SurfaceMesh& mesh, const SurfacePlace& point, std::vector<Surfa
     places.push_back(point);
 }
 
-double lengthOf(const SurfaceMesh& mesh, const std::vector<SurfacePlace>& places)
-{
-    double length = 0;
-    for (std::size_t i = 1; i < places.size(); ++i)
-        length += glm::distance(positionWorld(mesh, places[i]), positionWorld(mesh, places[i - 1]));
-    return length;
-}
-
 /// Whether flow followed in that direction may come to the point along an edge.
 bool mayGather(const CriticalPoint& point, int direction)
 {
@@ -218,7 +210,7 @@ void layOnSharpEdges(const SurfaceMesh& mesh, const SurfaceFans& fans, const Tan
     for (TopologyLine& line : topology.lines) {
         line.places.front() = topology.points[line.saddle].place;
         if (line.other) endAt(mesh, topology.points[*line.other].place, line.places);
-        line.lengthWorld = lengthOf(mesh, line.places);
+        line.lengthWorld = lengthWorld(mesh, line.places);
     }
 }
 

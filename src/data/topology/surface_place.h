@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "data/mesh/surface_mesh.h"
 
@@ -26,6 +27,15 @@ inline glm::dvec3 positionWorld(const SurfaceMesh& mesh, const SurfacePlace& pla
     glm::dvec3 sum = mesh.originWorld;
     for (int i = 0; i < 3; ++i) sum += place.weight[i] * glm::dvec3(mesh.positions[corners[std::size_t(i)]]);
     return sum;
+}
+
+/// The length of the line through these places.
+inline double lengthWorld(const SurfaceMesh& mesh, const std::vector<SurfacePlace>& places)
+{
+    double length = 0;
+    for (std::size_t i = 1; i < places.size(); ++i)
+        length += glm::length(positionWorld(mesh, places[i]) - positionWorld(mesh, places[i - 1]));
+    return length;
 }
 
 }  // namespace aeolic

@@ -62,14 +62,6 @@ private:
     std::vector<End> ends_;
 };
 
-double lengthOf(const SurfaceMesh& mesh, const std::vector<SurfacePlace>& places)
-{
-    double length = 0;
-    for (std::size_t i = 1; i < places.size(); ++i)
-        length += glm::length(positionWorld(mesh, places[i]) - positionWorld(mesh, places[i - 1]));
-    return length;
-}
-
 void append(std::vector<SurfacePlace>& places, const std::vector<SurfacePlace>& more)
 {
     places.insert(places.end(), more.begin(), more.end());
@@ -86,7 +78,7 @@ std::vector<TopologyLine> linesOf(const SurfaceMesh& mesh, const SurfaceFans& fa
         append(line.places, separatrix.line.places);
         line.other = ends.of(separatrix.line);
         if (line.other) line.places.push_back(points[*line.other].place);
-        line.lengthWorld = lengthOf(mesh, line.places);
+        line.lengthWorld = lengthWorld(mesh, line.places);
         lines.push_back(std::move(line));
     }
     return lines;

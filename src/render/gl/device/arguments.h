@@ -54,27 +54,19 @@ void bindUniforms(GLuint binding, const AnyBuffer& buffer)
     glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.id());
 }
 
-/// While one of these exists, textures are read into the buffer's memory, or written from there: Texture::readRows()
-/// and writeRows() take offsets in it.
-class PixelsInto {
+/// While it exists, Texture::readRows() or writeRows() takes offsets in a buffer's memory instead of pointers.
+template <GLenum kTarget>
+class PixelMemory {
 public:
     template <class AnyBuffer>
-    explicit PixelsInto(const AnyBuffer& buffer)
+    explicit PixelMemory(const AnyBuffer& buffer)
     {
-        glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.id());
+        glBindBuffer(kTarget, buffer.id());
     }
-    ~PixelsInto() { glBindBuffer(GL_PIXEL_PACK_BUFFER, 0); }
-    PixelsInto(const PixelsInto&) = delete;
+    ~PixelMemory() { glBindBuffer(kTarget, 0); }
+    PixelMemory(const PixelMemory&) = delete;
 };
-class PixelsFrom {
-public:
-    template <class AnyBuffer>
-    explicit PixelsFrom(const AnyBuffer& buffer)
-    {
-        glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer.id());
-    }
-    ~PixelsFrom() { glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0); }
-    PixelsFrom(const PixelsFrom&) = delete;
-};
+using PixelsInto = PixelMemory<GL_PIXEL_PACK_BUFFER>;    ///< For readRows().
+using PixelsFrom = PixelMemory<GL_PIXEL_UNPACK_BUFFER>;  ///< For writeRows().
 
 }  // namespace aeolic::gl
