@@ -246,7 +246,6 @@ TEST_F(CellsOnSurface, AFewCellsOfWildSizesDoNotMakeMillionsOfTriangles)
     // Points that are read from a wrong place of a file look like these: most coordinates are 0, others are anything.
     constexpr unsigned kPoints = 60, kCells = 120;
     std::mt19937 random(3);
-    std::uint64_t most = 0;
     for (int file = 0; file < 12; ++file) {
         std::string points, vectors, corners, types;
         for (unsigned i = 0; i < 3 * kPoints; ++i) {
@@ -265,11 +264,26 @@ TEST_F(CellsOnSurface, AFewCellsOfWildSizesDoNotMakeMillionsOfTriangles)
                                       kPoints, points, kCells, 5 * kCells, corners, types, vectors));
         SceneDescription description = describe();
         description.surface.spec = "boundary";
-        most = std::max<std::uint64_t>(most, loadScene(description).surface.triangles.size());
+        // Each cell has four sides at most.
+        EXPECT_LE(loadScene(description).surface.triangles.size(), mostRefinedTriangles(kCells, 4 * kCells)) << file;
     }
-    // Each cell has four sides at most.
-    EXPECT_LE(most, mostRefinedTriangles(kCells, 4 * kCells));
-    EXPECT_GT(most, mostRefinedTriangles(kCells, 4 * kCells) / 16);
+}
+
+TEST_F(CellsOnSurface, ACellFarBelowRoundingDoesNotMakeMillionsOfTriangles)
+{
+    // The far cell makes the whole wall as near to the small one as rounding is. At its size, the wall would have 2^24.
+    const double small = 0x1p-35;
+    writeBytes(flow_, fmt::format("# vtk DataFile Version 3.0\ntwo cells\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                                  "POINTS 8 double\n0 0 0 {0} 0 0 0 {0} 0 0 0 {0} 1 0 0 2 0 0 1 1 0 1 0 1\n"
+                                  "CELLS 2 10\n4 0 1 2 3\n4 4 5 6 7\nCELL_TYPES 2\n10\n10\n"
+                                  "POINT_DATA 8\nVECTORS U double\n{1}{1}{1}{1}{1}{1}{1}{1}",
+                                  small, "1 0.5 0.2\n"));
+    writeBytes(wall_, fmt::format("# vtk DataFile Version 3.0\na wall\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n"
+                                  "0 0 0 {0} 0 0 0 {0} 0\nPOLYGONS 1 4\n3 0 1 2\n",
+                                  4096 * small));
+    const std::uint64_t triangles = loadScene(describe()).surface.triangles.size();
+    EXPECT_LE(triangles, mostRefinedTriangles(2, 1));
+    EXPECT_GT(triangles, mostRefinedTriangles(2, 1) / 16);
 }
 
 TEST_F(CellsOnSurface, AFieldThatDoesNotTouchTheSurfaceIsRefused)
