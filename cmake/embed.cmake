@@ -35,7 +35,7 @@ function(embed_files table folder)
     target_sources(aeolic_lib PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated/${table}.S)
 endfunction()
 
-# The page (src/stream/gateway/web_assets.cpp).
+# The page (src/stream/gateway/http_answers.cpp).
 file(GLOB_RECURSE AEOLIC_WEB_FILES CONFIGURE_DEPENDS web/*.html web/*.css web/*.js web/*.svg)
 list(FILTER AEOLIC_WEB_FILES EXCLUDE REGEX "/web/loop/")
 embed_files(aeolicWebFiles ${CMAKE_CURRENT_SOURCE_DIR}/web ${AEOLIC_WEB_FILES})

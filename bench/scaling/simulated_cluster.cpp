@@ -123,10 +123,10 @@ StripeCosts relativeCosts(const SimulatedCluster& cluster)
 }
 
 /// What balancing itself sends around: every rank's time, and the pixels that it counted.
-double balanceNetworkMs(const SimulatedCluster& cluster, const Balancer& balancer)
+double balanceNetworkMs(const SimulatedCluster& cluster, Balance balance)
 {
-    if (balancer.name() == "static") return 0;
-    const std::int64_t coverage = balancer.needsCoverage() ? cluster.coverageBytes : std::int64_t{0};
+    if (balance == Balance::equal) return 0;
+    const std::int64_t coverage = needsCoverage(balance) ? cluster.coverageBytes : std::int64_t{0};
     return cluster.network.collectiveMs(
         cluster.ranks, cluster.ranks * std::int64_t(sizeof(double)) + collectiveRounds(cluster.ranks) * coverage);
 }
@@ -155,7 +155,7 @@ double SimulatedFrame::balance() const
 
 std::vector<SimulatedFrame> simulate(const SimulatedCluster& cluster, std::span<const RowCoverage> frames)
 {
-    const std::unique_ptr<Balancer> balancer = makeBalancer(choiceNamed<Balance>(cluster.balancer).value());
+    const Balance balance = choiceNamed<Balance>(cluster.balancer).value();
     SpeedHistory history;
     BalanceInput input;
     input.ranks = cluster.ranks;
@@ -163,14 +163,14 @@ std::vector<SimulatedFrame> simulate(const SimulatedCluster& cluster, std::span<
     std::vector<SimulatedFrame> simulated;
     for (const RowCoverage& coverage : frames) {
         const RowSums truth(coverage);
-        const bool countsCoverage = balancer->needsCoverage() && cluster.ranks > 1;
+        const bool countsCoverage = needsCoverage(balance) && cluster.ranks > 1;
         input.height = coverage.height;
-        input.coverage = balancer->needsCoverage() ? coarsened(coverage, cluster.coverageFactor) : RowCoverage{};
+        input.coverage = needsCoverage(balance) ? coarsened(coverage, cluster.coverageFactor) : RowCoverage{};
         input.speeds = relativeSpeeds(history);
 
         SimulatedFrame frame;
-        frame.stripes = balancer->partition(input);
-        frame.balanceNetworkMs = balanceNetworkMs(cluster, *balancer);
+        frame.stripes = balancedStripes(balance, input);
+        frame.balanceNetworkMs = balanceNetworkMs(cluster, balance);
         addCompute(cluster, truth, countsCoverage, frame);
         if (cluster.guardSource == GuardSource::receive) addGuardTransfers(cluster, truth, frame);
         addGather(cluster, truth, frame);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -11,6 +13,23 @@
 #include "base/uninitialized.h"
 
 namespace aeolic {
+
+/// `Value` or `const Value`.
+template <class Type, class Value>
+concept PerhapsConst = std::same_as<std::remove_const_t<Type>, Value>;
+
+/// Takes any members.
+struct AnyMembers {
+    template <class... Members>
+    void operator()(const Members&...) const;
+};
+
+/// What is written and read member by member: withMembers(value, visit) calls visit(…) with all of them.
+template <class Value>
+concept HasMembers = requires(Value& value)
+{
+    withMembers(value, AnyMembers());
+};
 
 /// Puts values one behind the other into bytes, as they lie in memory: for other processes of the same program. A list
 /// begins with its number of values.
@@ -41,6 +60,24 @@ public:
         add(std::uint64_t(texts.size()));
         for (const std::string& text : texts) add(text);
     }
+    /// Whether it is there, and the value then.
+    template <class Value>
+    void add(const std::optional<Value>& value)
+    {
+        add(value.has_value());
+        if (value) add(*value);
+    }
+    template <HasMembers Value>
+    void add(const Value& value)
+    {
+        withMembers(value, [&](const auto&... members) { addAll(members...); });
+    }
+    template <HasMembers Value>
+    void add(const std::vector<Value>& values)
+    {
+        add(std::uint64_t(values.size()));
+        for (const Value& value : values) add(value);
+    }
 
     Bytes take() { return std::move(bytes_); }
 
@@ -51,7 +88,8 @@ public:
     }
 
 private:
-    void append(const void* from, std::size_t count)
+    // Not inlined: GCC 12 would warn of lengths that no text can have.
+    [[gnu::noinline]] void append(const void* from, std::size_t count)
     {
         const std::size_t before = bytes_.size();
         bytes_.resize(before + count);
@@ -92,6 +130,32 @@ public:
     {
         texts.resize(countOf(sizeof(std::uint64_t)));
         for (std::string& text : texts) read(text);
+    }
+    void read(bool& flag)  ///< The byte may be any.
+    {
+        std::uint8_t byte = 0;
+        read(byte);
+        flag = byte != 0;
+    }
+    template <class Value>
+    void read(std::optional<Value>& value)
+    {
+        bool has = false;
+        read(has);
+        Value one{};
+        if (has) read(one);
+        value = has ? std::optional<Value>(std::move(one)) : std::nullopt;
+    }
+    template <HasMembers Value>
+    void read(Value& value)
+    {
+        withMembers(value, [&](auto&... members) { readAll(members...); });
+    }
+    template <HasMembers Value>
+    void read(std::vector<Value>& values)
+    {
+        values.clear();
+        for (std::size_t left = countOf(1); left > 0; --left) read(values.emplace_back());
     }
     template <class... Values>
     void readAll(Values&... values)

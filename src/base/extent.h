@@ -42,6 +42,12 @@ struct RowSpan {
 struct ColumnSpan {
     int x0 = 0, x1 = 0;
     bool empty() const { return x0 >= x1; }
+    /// From the first column of either to the last.
+    ColumnSpan with(const ColumnSpan& other) const
+    {
+        if (empty()) return other;
+        return other.empty() ? *this : ColumnSpan{std::min(x0, other.x0), std::max(x1, other.x1)};
+    }
     bool operator==(const ColumnSpan&) const = default;
 };
 

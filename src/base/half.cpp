@@ -15,6 +15,26 @@ namespace {
 constexpr std::uint16_t quietNan = 0x7e00, largestHalf = 0x7bff;
 constexpr std::size_t grain = std::size_t{1} << 16;
 
+/// By one thread. `halves` may be the same memory as `floats`, or lie before it.
+std::size_t halvesFromFloats(const void* floats, void* halves, std::size_t count)
+{
+    const auto* source = static_cast<const char*>(floats);
+    auto* target = static_cast<char*>(halves);
+    std::size_t clamped = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::uint32_t bits;
+        std::memcpy(&bits, source + 4 * i, 4);
+        std::uint16_t half = halfFromFloat(std::bit_cast<float>(bits));
+        if ((half & 0x7fffu) == 0x7c00u) {
+            const bool infinite = (bits & 0x7fffffffu) == 0x7f800000u;
+            half = infinite ? quietNan : static_cast<std::uint16_t>((half & 0x8000u) | largestHalf);
+            clamped += !infinite;
+        }
+        std::memcpy(target + 2 * i, &half, 2);
+    }
+    return clamped;
+}
+
 }  // namespace
 
 std::uint16_t halfFromFloat(float value)
@@ -51,25 +71,6 @@ float floatFromHalf(std::uint16_t half)
 bool isBeyondHalves(float value)
 {
     return std::isfinite(value) && (halfFromFloat(value) & 0x7fffu) == 0x7c00u;
-}
-
-std::size_t halvesFromFloats(const void* floats, void* halves, std::size_t count)
-{
-    const auto* source = static_cast<const char*>(floats);
-    auto* target = static_cast<char*>(halves);
-    std::size_t clamped = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        std::uint32_t bits;
-        std::memcpy(&bits, source + 4 * i, 4);
-        std::uint16_t half = halfFromFloat(std::bit_cast<float>(bits));
-        if ((half & 0x7fffu) == 0x7c00u) {
-            const bool infinite = (bits & 0x7fffffffu) == 0x7f800000u;
-            half = infinite ? quietNan : static_cast<std::uint16_t>((half & 0x8000u) | largestHalf);
-            clamped += !infinite;
-        }
-        std::memcpy(target + 2 * i, &half, 2);
-    }
-    return clamped;
 }
 
 std::size_t halvesFromFloatsParallel(const float* floats, std::uint16_t* halves, std::size_t count)

@@ -17,14 +17,11 @@ bool isBeyondHalves(float value);
 /// Every half is exact as a float.
 float floatFromHalf(std::uint16_t half);
 
-/// Converts `count` floats to halves; `halves` may be the same memory as `floats` (or lie before it). What would
-/// overflow becomes +-65504, the largest half; infinities and NaN become NaN, the mask. Returns how many were clamped.
-std::size_t halvesFromFloats(const void* floats, void* halves, std::size_t count);
-
-/// Does what halvesFromFloats() does, on all threads. The memory of `halves` and `floats` must not overlap.
+/// Converts `count` floats to halves, on all threads. What would overflow becomes +-65504, the largest half; infinities
+/// and NaN become NaN, the mask. Returns how many were clamped. The memory of `halves` and `floats` must not overlap.
 std::size_t halvesFromFloatsParallel(const float* floats, std::uint16_t* halves, std::size_t count);
 
-/// Converts in place, on all threads: the buffer's first 2 * `count` bytes hold the halves afterwards. No memory is
+/// The same in place: the buffer's first 2 * `count` bytes hold the halves afterwards. No memory is
 /// needed beside it, so a field that just fits as floats can still become halves.
 std::size_t convertToHalvesInPlace(void* buffer, std::size_t count);
 

@@ -5,10 +5,16 @@
 #include <cstring>
 
 #include "base/extent.h"
-#include "base/image_rows.h"
 #include "base/large_memory.h"
 
 namespace aeolic {
+
+/// Local. Zeros in the first `left` and the last `right` bytes of each of `count` rows, which follow each other. On all
+/// threads of the current arena where the rows are large: to touch new memory takes longer than the writing.
+void clearSides(void* rows, std::size_t rowBytes, std::size_t count, std::size_t left, std::size_t right);
+
+/// Local. std::memmove. On all threads of the current arena where there is much to move, and farther than it is long.
+void moveBytes(void* to, const void* from, std::size_t bytes);
 
 /// Pixels of one band of rows, addressed by global coordinates. Around the valid extent lies an apron of zeros,
 /// `kApronRows` above and below and `kApron` columns left and right, so that kernels may read neighbours, whole vectors
@@ -65,6 +71,18 @@ public:
 
     T& at(int x, int y) { return row(y)[x]; }
     const T& at(int x, int y) const { return row(y)[x]; }
+
+    /// Gives the pixels of `part` a value.
+    void fill(const Extent& part, const T& value)
+    {
+        for (int y = part.y0; y < part.y1; ++y) std::fill(row(y) + part.x0, row(y) + part.x1, value);
+    }
+    /// Zeros in a row, but for `columns`.
+    void clearBeside(int y, const ColumnSpan& columns)
+    {
+        std::fill(row(y) + valid_.x0, row(y) + columns.x0, T{});
+        std::fill(row(y) + columns.x1, row(y) + valid_.x1, T{});
+    }
 
     std::size_t bytes() const { return capacity_ * sizeof(T); }
 

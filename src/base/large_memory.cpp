@@ -35,11 +35,6 @@ void* allocateLarge(std::size_t bytes)
     return memory;
 }
 
-void freeLarge(void* memory) noexcept
-{
-    std::free(memory);
-}
-
 void wishForHugePages(void* memory, std::size_t bytes) noexcept
 {
     const auto address = reinterpret_cast<std::uintptr_t>(memory);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -10,7 +11,6 @@ namespace aeolic {
 /// system has them. On pages of 4 KB a scattered read costs more for finding the page than for the data, above all in
 /// virtual machines. Not initialised. Throws std::bad_alloc.
 void* allocateLarge(std::size_t bytes);
-void freeLarge(void* memory) noexcept;
 
 /// Local. Asks for huge pages for memory that was allocated elsewhere and not touched yet, where the system has them
 /// and whole ones fit in. To write for the first time into pages of 4 KB takes ten times as long as the writing, in
@@ -18,7 +18,7 @@ void freeLarge(void* memory) noexcept;
 void wishForHugePages(void* memory, std::size_t bytes) noexcept;
 
 struct FreeLarge {
-    void operator()(void* memory) const noexcept { freeLarge(memory); }
+    void operator()(void* memory) const noexcept { std::free(memory); }
 };
 
 template <class T>
@@ -40,7 +40,7 @@ struct LargeAllocator {
     {
     }
     T* allocate(std::size_t count) { return static_cast<T*>(allocateLarge(count * sizeof(T))); }
-    void deallocate(T* memory, std::size_t) noexcept { freeLarge(memory); }
+    void deallocate(T* memory, std::size_t) noexcept { std::free(memory); }
     bool operator==(const LargeAllocator&) const = default;
 };
 

@@ -1,11 +1,11 @@
 #include "base/memory.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -94,13 +94,9 @@ std::uint64_t addressSpaceAvailableBytes()
 
 std::string inWords(std::uint64_t bytes)
 {
-    char text[32];
     const double mebibytes = double(bytes) / double(1u << 20);
-    if (mebibytes < 1024)
-        std::snprintf(text, sizeof text, "%.0f MiB", std::ceil(mebibytes));
-    else
-        std::snprintf(text, sizeof text, "%.1f GiB", mebibytes / 1024);
-    return text;
+    return mebibytes < 1024 ? fmt::format("{:.0f} MiB", std::ceil(mebibytes))
+                            : fmt::format("{:.1f} GiB", mebibytes / 1024);
 }
 
 }  // namespace

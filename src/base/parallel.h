@@ -35,6 +35,15 @@ void parallelFor(std::size_t count, const Body& body)
 
 #endif
 
+/// Calls body(y) for the rows of `extent`, `grain` of them or more at a time.
+template <class Body>
+void parallelRows(const Extent& extent, std::size_t grain, const Body& body)
+{
+    parallelRanges(std::size_t(std::max(extent.height(), 0)), grain, [&](std::size_t begin, std::size_t end) {
+        for (int y = extent.y0 + int(begin); y < extent.y0 + int(end); ++y) body(y);
+    });
+}
+
 /// Calls body(tile) for tiles of at most width x height pixels that together cover `extent`. The next tile is the one
 /// below: a thread that goes down columns finds in its cache what it read around the tile before.
 template <class Body>

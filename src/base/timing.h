@@ -30,22 +30,10 @@ inline double clockMs(clockid_t clock)
     return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
 }
 
-/// CPU time of the whole process, all threads, in milliseconds.
-inline double processCpuMs()
-{
-    return clockMs(CLOCK_PROCESS_CPUTIME_ID);
-}
-
 /// CPU time of the calling thread, in milliseconds.
 inline double threadCpuMs()
 {
     return clockMs(CLOCK_THREAD_CPUTIME_ID);
-}
-
-/// Milliseconds of wall time since an arbitrary moment.
-inline double wallMs()
-{
-    return clockMs(CLOCK_MONOTONIC);
 }
 
 /// Time a rank spends computing. It stands while the rank waits for others: some communicators spin while they wait,
@@ -106,8 +94,8 @@ public:
 private:
     double nowMs() const
     {
-        if (of_ == Of::wall) return wallMs();
-        return of_ == Of::process ? processCpuMs() : threadCpuMs();
+        if (of_ == Of::wall) return clockMs(CLOCK_MONOTONIC);
+        return of_ == Of::process ? clockMs(CLOCK_PROCESS_CPUTIME_ID) : threadCpuMs();
     }
 
     Of of_;

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "aeolic/error.h"
+#include "data/reading/owned_file.h"
 #include "stream/token.h"
 
 namespace aeolic {
@@ -16,28 +17,20 @@ namespace {
 
 constexpr const char* kVariable = "AEOLIC_TOKEN";
 
-struct OpenFile {
-    int number;
-    ~OpenFile()
-    {
-        if (number >= 0) close(number);
-    }
-};
-
 }  // namespace
 
 std::string tokenFromFile(const std::string& path)
 {
     const std::string where = "--token-file " + path, expected = "a file with a token";
-    const OpenFile file{open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+    const OwnedFile file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat status {};
-    if (file.number < 0 || fstat(file.number, &status) != 0) throw InputError(where, std::strerror(errno), expected);
+    if (!file || fstat(file.get(), &status) != 0) throw InputError(where, std::strerror(errno), expected);
     if (S_ISREG(status.st_mode) && (status.st_mode & (S_IRWXG | S_IRWXO)))
         throw InputError(where, "others may read it", "a file that is yours alone (chmod 600)");
     std::string text;
     char buffer[512];
     ssize_t got = 0;
-    while (text.size() <= stream::kLongestToken + 1 && (got = read(file.number, buffer, sizeof(buffer))) != 0) {
+    while (text.size() <= stream::kLongestToken + 1 && (got = read(file.get(), buffer, sizeof(buffer))) != 0) {
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) throw InputError(where, std::strerror(errno), expected);
         text.append(buffer, std::size_t(got));

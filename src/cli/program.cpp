@@ -51,15 +51,6 @@ std::vector<std::string> optionNames(const CLI::App& command)
     return names;
 }
 
-/// The commands that people type. Those without a group are not for people.
-std::vector<std::string> commandNames(const CLI::App& command)
-{
-    std::vector<std::string> names;
-    for (const CLI::App* one : command.get_subcommands({}))
-        if (!one->get_group().empty()) names.push_back(one->get_name());
-    return names;
-}
-
 /// What to type for a file in the place of a command; empty where it is none, or nothing reads it.
 std::string hintOnFile(const std::string& typed, const CLI::App& program)
 {
@@ -169,6 +160,18 @@ int fail(const char* program, const std::exception& error, const std::string& me
 }
 
 }  // namespace
+
+std::vector<const CLI::App*> commandsOf(const CLI::App& program)
+{
+    return program.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
+std::vector<std::string> commandNames(const CLI::App& program)
+{
+    std::vector<std::string> names;
+    for (const CLI::App* command : commandsOf(program)) names.push_back(command->get_name());
+    return names;
+}
 
 void addProgramOptions(CLI::App& program)
 {

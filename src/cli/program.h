@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cluster/comm/communicator.h"
 
@@ -15,6 +17,10 @@ struct ProgramText {
 
 /// The options of the program itself, beside its commands.
 void addProgramOptions(CLI::App& program);
+
+/// The commands that people type. Those without a group are not for people.
+std::vector<const CLI::App*> commandsOf(const CLI::App& program);
+std::vector<std::string> commandNames(const CLI::App& program);
 
 /// Parses the command line and runs the command that it names, which `addCommands(program, ranks)` has added with the
 /// others. An error becomes one line on standard error, said by one rank. Returns the exit code: 0 done, 1 failed, 2

@@ -43,20 +43,11 @@ SceneOptions::SceneOptions(CLI::App& command) : command_(command)
     command.add_option("SCENE.json", sceneFile_, "a scene file; the options override what it says")->type_name("");
     for (const OptionHelp& help : optionsHelp()) {
         const std::string name = help.name;
-        if (help.repeats) {
-            command.add_option(name, repeated_[name], wrapped(help.text))
-                ->type_name(help.value)
-                ->group(help.heading)
-                ->expected(1)
-                ->take_all();
-            continue;
-        }
-        command
-            .add_option_function<std::string>(
-                name, [this, name](const std::string& text) { given_[name] = text; }, wrapped(help.text))
-            ->type_name(help.value)
-            ->group(help.heading)
-            ->take_last();
+        const auto give = [this, name](const std::string& text) { given_[name] = text; };
+        CLI::Option* const option =
+            help.repeats ? command.add_option(name, repeated_[name], wrapped(help.text))->expected(1)->take_all()
+                         : command.add_option_function<std::string>(name, give, wrapped(help.text))->take_last();
+        option->type_name(help.value)->group(help.heading);
     }
 }
 

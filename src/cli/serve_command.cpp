@@ -167,22 +167,22 @@ stream::ServeOptions ServeCommand::serveOptions() const
     serve.hub.maxViewers = std::size_t(maxViewers);
     serve.hub.drawLimit = std::chrono::seconds(drawLimitS);
     serve.hub.loadLimit = std::chrono::seconds(loadLimitS);
-    serve.silenceLimit = std::chrono::seconds(silenceLimitS);
+    serve.job.told.silenceLimitS = silenceLimitS;
     serve.hub.frameBytes = std::uint64_t(viewerMiB) << 20;
     serve.hub.codec = askedCodec(codec);
-    serve.host = host;
-    serve.port = std::uint16_t(port);
+    serve.web.host = host;
+    serve.web.port = std::uint16_t(port);
     if (const std::string given = givenToken(); given != "none")
-        serve.token = given.empty() ? stream::makeToken() : given;
+        serve.web.rules.token = given.empty() ? stream::makeToken() : given;
     serve.certificate = certificate;
     serve.key = key;
-    serve.ranks = jobRanks;
+    serve.job.ranks = jobRanks;
     serve.launcher = launcher;
     serve.jobHost = jobHost;
-    serve.jobPort = std::uint16_t(jobPort);
-    serve.direct = direct;
-    serve.directPorts = portRange(directPorts);
-    const int places = serve.directPorts.last - serve.directPorts.first + 1;
+    serve.job.linkPort = std::uint16_t(jobPort);
+    serve.job.told.direct = direct;
+    const stream::PortRange ports = serve.job.told.directPorts = portRange(directPorts);
+    const int places = ports.last - ports.first + 1;
     if (!directPorts.empty() && launcher.empty() && jobRanks > places)
         throw InputError("--direct-ports", directPorts + " for " + std::to_string(jobRanks) + " ranks on this host",
                          "a port for each");

@@ -9,6 +9,7 @@ namespace aeolic {
 struct ArrayChoice {
     std::string name;
     int components = 1;
+    bool operator==(const ArrayChoice&) const = default;
 };
 
 using ArrayChoices = std::vector<ArrayChoice>;

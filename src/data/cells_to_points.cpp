@@ -59,14 +59,6 @@ std::vector<Value> meansAtPoints(const SurfaceMesh& mesh, const std::vector<Valu
     return means;
 }
 
-template <class Value>
-void copyPoint(std::vector<Value>& values, std::uint32_t point)
-{
-    if (values.empty()) return;
-    const Value value = values[point];
-    values.push_back(value);
-}
-
 /// Gives masked triangles points of their own, with masked values.
 class MaskedCorners {
 public:
@@ -87,11 +79,7 @@ private:
             copies_.try_emplace({point, 2 * int(vector) + int(scalar)}, std::uint32_t(mesh_.positions.size()));
         if (!isNew) return found->second;
         constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-        copyPoint(mesh_.positions, point);
-        copyPoint(mesh_.normals, point);
-        copyPoint(mesh_.pointVectors, point);
-        copyPoint(mesh_.pointScalars, point);
-        if (!mesh_.surfaceOf.empty()) copyPoint(mesh_.surfaceOf, point);
+        mesh_.copyPoint(point);
         if (vector) mesh_.pointVectors.back() = glm::vec3(nan);
         if (scalar) mesh_.pointScalars.back() = nan;
         return found->second;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/bounds.h"
+#include "base/byte_message.h"
 
 namespace aeolic {
 
@@ -18,6 +19,13 @@ struct ArraySummary {
     bool active = false;                         ///< The file's own choice of vectors.
     std::vector<double> times = {};              ///< At which a case has it; empty: at all.
 };
+
+template <PerhapsConst<ArraySummary> Array, class Visit>
+void withMembers(Array& array, const Visit& visit)
+{
+    visit(array.name, array.association, array.type, array.components, array.range, array.masked, array.nonFinite,
+          array.active, array.times);
+}
 
 /// One of a file's parts that --surface can name.
 struct PartSummary {
@@ -31,6 +39,13 @@ struct PartSummary {
     /// A side of such a case, or of one around an axis.
     bool isSide() const { return type == "empty" || type == "wedge"; }
 };
+
+template <PerhapsConst<PartSummary> Part, class Visit>
+void withMembers(Part& part, const Visit& visit)
+{
+    visit(part.name, part.type, part.groups, part.polygons, part.fillsSpace, part.usual, part.boundsWorld, part.vectors,
+          part.sideAcross);
+}
 
 /// What a file holds.
 struct FileSummary {
@@ -50,5 +65,14 @@ struct FileSummary {
     std::optional<std::string> vectors;  ///< The array drawn by default, if there is one.
     std::string firstVectors;            ///< The first array that could be drawn, or empty.
 };
+
+template <PerhapsConst<FileSummary> Summary, class Visit>
+void withMembers(Summary& summary, const Visit& visit)
+{
+    visit(summary.kind, summary.isSurface, summary.dimension, summary.points, summary.cells, summary.blocks,
+          summary.dims, summary.spacingWorld, summary.originWorld, summary.boundsWorld, summary.timeSteps,
+          summary.parts, summary.isOfFaces, summary.namesFiles, summary.isVolume, summary.arrays, summary.vectors,
+          summary.firstVectors);
+}
 
 }  // namespace aeolic

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "description/file_parts.h"
+#include "description/surface_spec.h"
 
 namespace aeolic {
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "base/byte_message.h"
+
 namespace aeolic {
 
 /// A part of a file, before it is read.
@@ -14,5 +16,11 @@ struct PartInfo {
     bool usual = true;                ///< Drawn where no part is named, if it is faces.
     bool derived = false;             ///< Its cells are faces of another part.
 };
+
+template <PerhapsConst<PartInfo> Part, class Visit>
+void withMembers(Part& part, const Visit& visit)
+{
+    visit(part.name, part.type, part.groups, part.dimension, part.usual, part.derived);
+}
 
 }  // namespace aeolic

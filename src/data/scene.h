@@ -48,26 +48,30 @@ struct SceneColors {
     std::optional<std::string> colorMap, legend;
 };
 
+/// What is measured of a scene.
+struct SceneRanges {
+    std::array<double, 2> scalarRange{0, 1};  ///< The values to colour by on the surface; finite, lo <= hi.
+    /// From the 2nd to the 98th percentile of these values by area; the same as above where that has no width.
+    std::array<double, 2> robustRange{0, 1};
+    bool scalarRangeKnown = false;  ///< Some value was finite; else the ranges stay as above.
+    double maxVector = 0;           ///< Largest vector length: what `--normalize off` scales by.
+    double maxTangential = 0;       ///< Largest part of them along the surface; 0: not known, or nothing lies in it.
+};
+
 /// Everything a frame reads that is not the camera or an option. Whoever loads it may move it to another moment between
 /// frames (data/load/loaded_scene.h).
-struct Scene {
+struct Scene : SceneRanges {
     SurfaceMesh surface;
     std::shared_ptr<const GridField> field;        ///< Null: the surface carries its own vectors.
     std::shared_ptr<const GridField> scalarField;  ///< The scalar to colour by where it lives on the field's grid.
     /// Coloured by this part of the vectors at each pixel: no scalar is stored. Of `field` their length, of any vectors
     /// what needs the normal. The whole: coloured by a scalar.
     ArrayPart ofVectors = ArrayPart::whole;
-    bool hasScalar = false;                   ///< There is something to colour by.
-    std::array<double, 2> scalarRange{0, 1};  ///< Its values on the surface; finite, lo <= hi.
-    /// From the 2nd to the 98th percentile of these values by area; the same as above where that has no width.
-    std::array<double, 2> robustRange{0, 1};
-    bool scalarRangeKnown = false;  ///< Some value was finite; else the ranges stay as above.
-    std::string scalarName;         ///< For the scalar bar, e.g. "p" or "|U|".
+    bool hasScalar = false;  ///< There is something to colour by.
+    std::string scalarName;  ///< For the scalar bar, e.g. "p" or "|U|".
     /// The first moment, where nothing flows then and something does later.
     std::optional<double> restsAt;
-    double maxVector = 0;      ///< Largest vector length: what `--normalize off` scales by.
-    double maxTangential = 0;  ///< Largest part of them along the surface; 0: not known, or nothing lies in it.
-    std::string vectorsName;   ///< The array's that streaks follow; empty: they follow several.
+    std::string vectorsName;  ///< The array's that streaks follow; empty: they follow several.
     /// A surface's own vectors are known to point against the flow that made them.
     struct AgainstFlow {
         std::string surface, array;

@@ -43,4 +43,11 @@ struct GridField {
     const std::uint16_t* halves() const { return static_cast<const std::uint16_t*>(samples.get()); }
 };
 
+/// The same grid, whose samples are not there.
+inline GridField withoutSamples(GridField field)
+{
+    field.samples = nullptr;
+    return field;
+}
+
 }  // namespace aeolic

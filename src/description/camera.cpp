@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "aeolic/error.h"
+#include "description/surface_spec.h"
 
 namespace aeolic {
 namespace {
@@ -25,11 +26,6 @@ double radians(double degrees)
 double degrees(double radians)
 {
     return radians * 180.0 / std::numbers::pi;
-}
-
-glm::dvec3 vec(const Vec3& v)
-{
-    return {v[0], v[1], v[2]};
 }
 
 // From the focal point to the eye of a view given by angles.
@@ -93,6 +89,14 @@ double bodyDepthOf(const Camera& camera, const glm::dvec3& center, double radius
     return std::max(std::clamp(camera.focalDistance, depth - slack, depth + slack), least);
 }
 
+/// Nobody chose where to look from.
+bool isDefaultView(const CameraOptions& options)
+{
+    const CameraOptions usual;
+    return !options.position && !options.focal && !options.up && options.azimuth == usual.azimuth &&
+           options.elevation == usual.elevation && options.roll == usual.roll;
+}
+
 }  // namespace
 
 Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, double radius, int width, int height,
@@ -106,12 +110,12 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
 
     const glm::dvec3 center = boundsWorld.empty() ? glm::dvec3(0) : boundsWorld.center();
     const double safeRadius = radius > 0 ? radius : 1.0;
-    const glm::dvec3 focal = options.focal ? vec(*options.focal) : center;
+    const glm::dvec3 focal = options.focal ? vectorOf(*options.focal) : center;
     glm::dvec3 upHint;
     if (options.position) {
-        camera.positionWorld = vec(*options.position);
+        camera.positionWorld = vectorOf(*options.position);
         camera.forward = focal - camera.positionWorld;
-        upHint = options.up ? vec(*options.up) : defaultUp(camera.forward);
+        upHint = options.up ? vectorOf(*options.up) : defaultUp(camera.forward);
     } else {
         // The narrower side of the image decides how far away the whole sphere is in view.
         const double tanFit = tanHalf * std::min(1.0, double(width) / height);
@@ -127,7 +131,7 @@ Camera makeCamera(const CameraOptions& options, const Bounds& boundsWorld, doubl
         camera.forward = -outward;
         const double az = radians(options.azimuth), el = radians(options.elevation);
         // Differentiating by the elevation keeps "up" continuous over the poles.
-        upHint = options.up ? vec(*options.up)
+        upHint = options.up ? vectorOf(*options.up)
                             : glm::dvec3(-std::sin(az) * std::sin(el), std::cos(az) * std::sin(el), std::cos(el));
     }
     camera.focalPx = 0.5 * height / std::tan(radians(camera.fovDeg) / 2);
@@ -161,18 +165,6 @@ double orbitDegOf(const SceneDescription& scene)
     const bool isMoving = scene.time.range || scene.lic.flow == FlowMotion::loop;
     return scene.output.orbit.value_or(isMoving ? 0.0 : 360.0);
 }
-
-namespace {
-
-/// Nobody chose where to look from.
-bool isDefaultView(const CameraOptions& options)
-{
-    const CameraOptions usual;
-    return !options.position && !options.focal && !options.up && options.azimuth == usual.azimuth &&
-           options.elevation == usual.elevation && options.roll == usual.roll;
-}
-
-}  // namespace
 
 CameraOptions offEdge(const CameraOptions& options, const glm::dvec3& planeNormal)
 {
@@ -214,10 +206,11 @@ CameraOptions orbited(const CameraOptions& options, double degrees, const Bounds
         turned.azimuth += degrees;
         return turned;
     }
-    const glm::dvec3 focal = options.focal         ? vec(*options.focal)
+    const glm::dvec3 focal = options.focal         ? vectorOf(*options.focal)
                              : boundsWorld.empty() ? glm::dvec3(0)
                                                    : boundsWorld.center();
-    const glm::dvec3 from = vec(*options.position) - focal, up = options.up ? vec(*options.up) : defaultUp(-from);
+    const glm::dvec3 from = vectorOf(*options.position) - focal,
+                     up = options.up ? vectorOf(*options.up) : defaultUp(-from);
     if (!(glm::length(up) > 0)) return turned;  // makeCamera() reports the fault.
     const glm::dvec3 axis = glm::normalize(up);
     const double angle = radians(degrees);

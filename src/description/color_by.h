@@ -38,17 +38,22 @@ struct ArrayRef {
     ArrayPart part = ArrayPart::whole;
 };
 
+/// What follows an array's name where that part of it is meant: ":mag", ":x"; empty for the whole.
+inline std::string_view suffixOf(ArrayPart part)
+{
+    constexpr std::string_view suffixes[] = {"", ":mag", ":x", ":y", ":z", ":normal", ":tangential"};
+    return suffixes[std::size_t(part)];
+}
+
 inline ArrayRef parseArray(std::string text)
 {
-    constexpr std::pair<std::string_view, ArrayPart> parts[] = {
-        {":mag", ArrayPart::length}, {":x", ArrayPart::x},           {":y", ArrayPart::y},
-        {":z", ArrayPart::z},        {":normal", ArrayPart::normal}, {":tangential", ArrayPart::tangential}};
     constexpr std::pair<std::string_view, bool> places[] = {{"point:", true}, {"cell:", false}};
     ArrayRef ref;
-    for (const auto& [suffix, part] : parts)
-        if (ref.part == ArrayPart::whole && text.ends_with(suffix)) {
+    using enum ArrayPart;
+    for (const ArrayPart part : {length, x, y, z, normal, tangential})
+        if (ref.part == whole && text.ends_with(suffixOf(part))) {
             ref.part = part;
-            text.resize(text.size() - suffix.size());
+            text.resize(text.size() - suffixOf(part).size());
         }
     for (const auto& [prefix, onPoints] : places)
         if (!ref.onPoints && text.starts_with(prefix)) {
@@ -57,13 +62,6 @@ inline ArrayRef parseArray(std::string text)
         }
     ref.name = std::move(text);
     return ref;
-}
-
-/// What follows an array's name where a part of it is meant: ":mag", ":x"; else empty.
-inline std::string_view suffixOf(ArrayPart part)
-{
-    constexpr std::string_view suffixes[] = {"", ":mag", ":x", ":y", ":z", ":normal", ":tangential"};
-    return suffixes[std::size_t(part)];
 }
 
 /// What legends call that part of an array: "p", "|U|", "U:x".

@@ -1,8 +1,10 @@
 #include "description/colormap.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
-#include <string>
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
@@ -36,13 +38,9 @@ constexpr ColorTable decoded(std::string_view hex)
     return table;
 }
 
-constexpr bool allComplete()
-{
-    for (const NamedTable& table : tables)
-        if (table.hex.size() != 6 * std::tuple_size_v<ColorTable>) return false;
-    return true;
-}
-static_assert(allComplete());
+static_assert(std::ranges::all_of(tables, [](const NamedTable& table) {
+    return table.hex.size() == 6 * std::tuple_size_v<ColorTable>;
+}));
 
 constexpr auto decodedTables = [] {
     std::array<ColorTable, tableCount> all{};
@@ -60,12 +58,10 @@ constexpr auto mapNames = [] {
 
 const ColorTable& colorMap(std::string_view name)
 {
-    std::string expected;
-    for (std::size_t i = 0; i < tableCount; ++i) {
-        if (mapNames[i] == name) return decodedTables[i];
-        expected += (i ? ", " : "one of ") + std::string(mapNames[i]);
-    }
-    throw InputError("colour map", "found '" + std::string(name) + "'", expected + didYouMean(name, mapNames));
+    const auto found = std::ranges::find(mapNames, name);
+    if (found != mapNames.end()) return decodedTables[std::size_t(found - mapNames.begin())];
+    throw InputError("colour map", fmt::format("found '{}'", name),
+                     fmt::format("one of {}{}", fmt::join(mapNames, ", "), didYouMean(name, mapNames)));
 }
 
 std::span<const std::string_view> colorMapNames()

@@ -1,10 +1,12 @@
 #include "description/file_kinds.h"
-#include "base/text.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
+
+#include "base/text.h"
 
 namespace aeolic {
 namespace {
@@ -14,10 +16,16 @@ bool fits(const FileKind& row, FileUse use)
     return row.holdsData() && (use == FileUse::any || row.use == FileUse::any || row.use == use);
 }
 
-void replaceAll(std::string& text, std::string_view mark, const std::string& by)
+/// The first of some kinds that has an ending which fits; null where there is none.
+template <class Kind, std::size_t N, class Fits>
+const Kind* kindWith(const Kind (&kinds)[N], const Fits& fits)
 {
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + by.size()))
-        text.replace(at, mark.size(), by);
+    const auto* const found = std::ranges::find_if(kinds, [&](const Kind& kind) {
+        bool has = false;
+        forEachEnding(kind, [&](std::string_view ending) { has = has || fits(ending); });
+        return has;
+    });
+    return found == std::end(kinds) ? nullptr : found;
 }
 
 }  // namespace
@@ -30,23 +38,13 @@ const FileKind* fileKindOf(std::string_view path)
     if (dash != std::string::npos && dash + 2 < extension.size() &&
         extension.find_first_not_of("0123456789", dash + 2) == std::string::npos)
         extension.resize(dash);
-    for (const FileKind& row : fileKinds) {
-        bool found = false;
-        forEachEnding(row, [&](std::string_view ending) { found = found || ending == extension; });
-        if (found) return &row;
-    }
-    return nullptr;
+    return kindWith(fileKinds, [&](std::string_view ending) { return ending == extension; });
 }
 
 const UnreadKind* unreadKindOf(std::string_view path)
 {
     const std::string name = lowerCase(std::string(path));
-    for (const UnreadKind& row : unreadKinds) {
-        bool found = false;
-        forEachEnding(row, [&](std::string_view ending) { found = found || name.ends_with(ending); });
-        if (found) return &row;
-    }
-    return nullptr;
+    return kindWith(unreadKinds, [&](std::string_view ending) { return name.ends_with(ending); });
 }
 
 std::string fileKindsText(FileUse use)
@@ -61,11 +59,10 @@ std::string fileKindsText(FileUse use)
     return folder ? text + ", or an OpenFOAM case's folder" : text;
 }
 
-std::string withFileKinds(std::string text)
+std::string withFileKinds(std::string_view text)
 {
-    replaceAll(text, "{surfaces}", fileKindsText(FileUse::surface));
-    replaceAll(text, "{fields}", fileKindsText(FileUse::field));
-    return text;
+    return fmt::format(fmt::runtime(text), fmt::arg("surfaces", fileKindsText(FileUse::surface)),
+                       fmt::arg("fields", fileKindsText(FileUse::field)));
 }
 
 std::string fileKindsTable()

@@ -144,8 +144,8 @@ void forEachEnding(const Kind& kind, const Use& use)
 /// ".vtp .pvtp …, or an OpenFOAM case's folder": the endings of data for the use.
 std::string fileKindsText(FileUse use);
 
-/// The text with "{surfaces}" and "{fields}" replaced by those lists.
-std::string withFileKinds(std::string text);
+/// The text with those lists in the place of "{surfaces}" and "{fields}". It has no other braces.
+std::string withFileKinds(std::string_view text);
 
 /// The table of docs/file-formats.md, in Markdown.
 std::string fileKindsTable();

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <type_traits>
 
 #include "description/option_table.h"
-#include "description/scene_document.h"
+#include "description/scene_json.h"
 
 namespace aeolic {
 namespace {

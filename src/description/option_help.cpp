@@ -41,11 +41,11 @@ std::string describe(const Option& option, const std::string& choices, const std
 }
 
 /// The option of the command line that `name` is an item of; null where it stands by itself.
-const CompoundOption* compoundOf(std::string_view name)
+const TypedOption* compoundOf(std::string_view name)
 {
-    const auto* const found = std::find_if(
-        std::begin(compoundOptions), std::end(compoundOptions),
-        [&](const CompoundOption& compound) { return name.starts_with(std::string(compound.name) + " "); });
+    const auto* const found =
+        std::find_if(std::begin(compoundOptions), std::end(compoundOptions),
+                     [&](const TypedOption& compound) { return name.starts_with(std::string(compound.name) + " "); });
     return found == std::end(compoundOptions) ? nullptr : found;
 }
 
@@ -58,7 +58,7 @@ std::vector<OptionHelp> optionsHelp()
     forEachOption(defaults, [&](const Option& option, const auto&, const auto& rule) {
         const std::string choices = choicesOf(rule),
                           text = describe(option, choices, optionText(defaults, option.name));
-        const CompoundOption* const compound = compoundOf(option.name);
+        const TypedOption* const compound = compoundOf(option.name);
         if (std::string_view(option.name).ends_with(wordSuffix)) return;  // They stand in the value of another row.
         if (!compound) {
             std::string value = option.value;
@@ -86,7 +86,7 @@ std::vector<std::string> optionWords(std::string_view name)
         if constexpr (std::is_same_v<std::decay_t<decltype(rule)>, NameRule>)
             if (option.name == name || option.name == std::string(name).append(wordSuffix))
                 words.assign(rule.names.begin(), rule.names.end());
-        const CompoundOption* const compound = compoundOf(option.name);
+        const TypedOption* const compound = compoundOf(option.name);
         if (compound && compound->hasItems && compound->name == name)
             words.push_back(std::string(std::string_view(option.name).substr(name.size() + 1)) + "=");
     });

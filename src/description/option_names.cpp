@@ -42,9 +42,9 @@ bool isInWord(char c)
 /// Whether the command line has an option of that name for scenes.
 bool isOfScene(std::string_view name)
 {
-    bool is = name == contextOption.name ||
-              std::any_of(std::begin(compoundOptions), std::end(compoundOptions),
-                          [&](const CompoundOption& compound) { return compound.name == name; });
+    bool is =
+        name == contextOption.name || std::any_of(std::begin(compoundOptions), std::end(compoundOptions),
+                                                  [&](const TypedOption& compound) { return compound.name == name; });
     forEachOption(SceneDescription{},
                   [&](const Option& option, const auto&, const auto&) { is = is || option.name == name; });
     return is;

@@ -43,7 +43,7 @@ std::string expectedNumber(const NumberRule& rule, bool whole)
            (range.empty() ? "" : " " + range);
 }
 
-std::string expectedName(const NameRule& rule)
+std::string expectedText(const NameRule& rule)
 {
     return fmt::format("one of {}{}{}", fmt::join(rule.names, ", "), rule.isOther ? ", or " : "", rule.others);
 }
@@ -81,7 +81,7 @@ std::optional<double> parseNumber(std::string_view text)
 int indexOfName(const std::string& where, const std::string& found, std::string_view name, const NameRule& rule)
 {
     const auto at = std::find(rule.names.begin(), rule.names.end(), name);
-    if (at == rule.names.end()) throw InputError(where, found, expectedName(rule) + didYouMean(name, rule.names));
+    if (at == rule.names.end()) throw InputError(where, found, expectedText(rule) + didYouMean(name, rule.names));
     return int(at - rule.names.begin());
 }
 

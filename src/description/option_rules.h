@@ -45,7 +45,11 @@ struct SwitchRule {};
 
 /// What was expected, in words: "a whole number from 1 to 65536", "one of box, hann".
 std::string expectedNumber(const NumberRule& rule, bool whole);
-std::string expectedName(const NameRule& rule);
+std::string expectedText(const NameRule& rule);
+inline std::string expectedText(const TextRule& rule)
+{
+    return rule.expected;
+}
 
 /// The range alone, as in those words: "from 1 to 65536", "above 0, up to 8"; empty where every number will do.
 std::string rangeText(const NumberRule& rule);

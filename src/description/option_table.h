@@ -40,21 +40,8 @@ struct Option {
     const char* unset = "";  ///< In words what holds where the field has no value of its own.
 };
 
-/// An option that may be given several times.
-struct RepeatedOption {
-    const char* name;
-    const char* value;
-    const char* heading;
-    const char* help;
-};
-
-/// Stands behind `--surface`, which may be repeated, too.
-inline constexpr RepeatedOption contextOption{
-    "--context", "SURFACE", "Data",
-    "one more surface, drawn plain and without streaks, for orientation; may be repeated"};
-
-/// An option of the command line that sets several fields at once.
-struct CompoundOption {
+/// An option of the command line that is no row of the table.
+struct TypedOption {
     const char* name;
     const char* value;
     const char* heading;
@@ -62,7 +49,13 @@ struct CompoundOption {
     bool hasItems = false;  ///< They are typed by their names: "zoom=2".
 };
 
-inline constexpr CompoundOption compoundOptions[] = {
+/// Stands behind `--surface`, which may be repeated, too.
+inline constexpr TypedOption contextOption{
+    "--context", "SURFACE", "Data",
+    "one more surface, drawn plain and without streaks, for orientation; may be repeated"};
+
+/// Those that set several fields at once.
+inline constexpr TypedOption compoundOptions[] = {
     {"--size", "WxH", "View", "the picture in pixels"},
     {"--camera", "ITEMS", "View",
      "the view: front, back, left, right, top or bottom, and NAME=VALUE, several with ',' or ';' between them. Angles "

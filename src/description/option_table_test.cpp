@@ -9,13 +9,13 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "aeolic/error.h"
 #include "description/option_help.h"
-#include "description/scene_document.h"
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"

@@ -1,7 +1,6 @@
 #include "description/overlays.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "description/option_rules.h"
@@ -18,7 +17,7 @@ std::optional<std::array<double, 3>> positionFrom(std::string_view text)
         text.remove_prefix(1);
         const std::size_t end = std::min(text.find(':'), text.size());
         const std::optional<double> read = parseNumber(text.substr(0, end));
-        if (!read || !std::isfinite(*read)) return std::nullopt;
+        if (!read) return std::nullopt;
         number = *read;
         text.remove_prefix(end);
     }

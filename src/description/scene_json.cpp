@@ -6,13 +6,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
 #include "description/builtin_names.h"
 #include "description/colormap.h"
-#include "description/scene_document.h"
 #include "description/surface_spec.h"
 #include "description/validate.h"
 
@@ -33,20 +33,15 @@ struct OptionWriter {
     template <class Value, class Rule>
     void operator()(const Option& option, const Value& value, const Rule&) const
     {
-        document[option.group.key][option.key] = value;
-    }
-    template <class Value, class Rule>
-    void operator()(const Option& option, const std::optional<Value>& value, const Rule&) const
-    {
-        if (value) document[option.group.key][option.key] = *value;
-    }
-    template <class Choice>
-    requires std::is_enum_v<Choice>
-    void operator()(const Option& option, const Choice& value, const NameRule&) const
-    {
-        // The word that stands in the place of an option's numbers, where none was said.
-        if (std::string_view(option.name).ends_with(wordSuffix) && value == Choice{}) return;
-        document[option.group.key][option.key] = nameOf(value);
+        if constexpr (requires { value.has_value(); }) {
+            if (value) document[option.group.key][option.key] = *value;
+        } else if constexpr (std::is_enum_v<Value>) {
+            // The word that stands in the place of an option's numbers, where none was said.
+            if (std::string_view(option.name).ends_with(wordSuffix) && value == Value{}) return;
+            document[option.group.key][option.key] = nameOf(value);
+        } else {
+            document[option.group.key][option.key] = value;
+        }
     }
 };
 
@@ -74,33 +69,25 @@ struct OptionReader {
         if (item != group->end()) read(source + jsonName(option), *item, value, rule);
     }
 
-    static void read(const std::string& where, const Json& item, std::string& value, const TextRule& rule)
+    template <class Rule>
+    static void read(const std::string& where, const Json& item, std::string& value, const Rule& rule)
     {
-        if (!item.is_string()) throw InputError(where, found(item), std::string("text: ") + rule.expected);
+        if (!item.is_string()) throw InputError(where, found(item), "text: " + expectedText(rule));
         value = item.get<std::string>();
     }
-    static void read(const std::string& where, const Json& item, double& value, const NumberRule& rule)
+    template <class Number>
+    requires std::is_arithmetic_v<Number>
+    static void read(const std::string& where, const Json& item, Number& value, const NumberRule& rule)
     {
-        if (!item.is_number()) throw InputError(where, found(item), expectedNumber(rule, false));
-        value = item.get<double>();
-    }
-    template <class Whole>
-    requires std::is_integral_v<Whole>
-    static void read(const std::string& where, const Json& item, Whole& value, const NumberRule& rule)
-    {
-        if (!item.is_number()) throw InputError(where, found(item), expectedNumber(rule, true));
-        checkWhole(where, item.get<double>(), rule);
-        value = Whole(item.get<double>());
+        constexpr bool isWhole = std::is_integral_v<Number>;
+        if (!item.is_number()) throw InputError(where, found(item), expectedNumber(rule, isWhole));
+        if (isWhole) checkWhole(where, item.get<double>(), rule);
+        value = Number(item.get<double>());
     }
     static void read(const std::string& where, const Json& item, bool& value, const SwitchRule&)
     {
         if (!item.is_boolean()) throw InputError(where, found(item), "true or false");
         value = item.get<bool>();
-    }
-    static void read(const std::string& where, const Json& item, std::string& value, const NameRule& rule)
-    {
-        if (!item.is_string()) throw InputError(where, found(item), "text: " + expectedName(rule));
-        value = item.get<std::string>();
     }
     template <class Choice>
     requires std::is_enum_v<Choice>

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "aeolic/error.h"
-#include "description/scene_document.h"
 #include "description/scene_text.h"
 
 namespace aeolic {

@@ -19,13 +19,6 @@ namespace aeolic {
 
 namespace {
 
-double number(const std::string& where, std::string_view text, const NumberRule& rule, bool whole)
-{
-    const auto value = parseNumber(text);
-    if (!value) throw InputError(where, "found " + inQuotes(text), expectedNumber(rule, whole));
-    return *value;
-}
-
 std::vector<std::string_view> split(std::string_view text, char separator)
 {
     std::vector<std::string_view> parts;
@@ -43,18 +36,15 @@ void parse(const std::string&, const std::string& text, std::string& value, cons
     value = text;
 }
 
-void parse(const std::string& where, const std::string& text, double& value, const NumberRule& rule)
+template <class Number>
+requires std::is_arithmetic_v<Number>
+void parse(const std::string& where, std::string_view text, Number& value, const NumberRule& rule)
 {
-    value = number(where, text, rule, false);
-}
-
-template <class Whole>
-requires std::is_integral_v<Whole>
-void parse(const std::string& where, const std::string& text, Whole& value, const NumberRule& rule)
-{
-    const double exact = number(where, text, rule, true);
-    checkWhole(where, exact, rule);
-    value = Whole(exact);
+    constexpr bool isWhole = std::is_integral_v<Number>;
+    const auto exact = parseNumber(text);
+    if (!exact) throw InputError(where, "found " + inQuotes(text), expectedNumber(rule, isWhole));
+    if (isWhole) checkWhole(where, *exact, rule);
+    value = Number(*exact);
 }
 
 void parse(const std::string& where, const std::string& text, bool& value, const SwitchRule&)
@@ -73,7 +63,9 @@ void parse(const std::string& where, const std::string& text, Enum& value, const
 void parse(const std::string& where, const std::string& text, std::optional<double>& value, const NumberRule& rule)
 {
     if (rule.automatic && text == "auto") return value.reset();
-    value = number(where, text, rule, false);
+    double given = 0;
+    parse(where, text, given, rule);
+    value = given;
 }
 
 template <std::size_t N>
@@ -84,33 +76,22 @@ void parse(const std::string& where, const std::string& text, std::optional<std:
     if (parts.size() != N)
         throw InputError(where, "found " + inQuotes(text), fmt::format("{} numbers separated by commas", N));
     std::array<double, N> numbers{};
-    for (std::size_t i = 0; i < N; ++i) numbers[i] = number(where, parts[i], rule, false);
+    for (std::size_t i = 0; i < N; ++i) parse(where, parts[i], numbers[i], rule);
     value = numbers;
-}
-
-std::string textOf(const std::string& value)
-{
-    return value;
-}
-std::string textOf(double value)
-{
-    return numberText(value);
-}
-std::string textOf(bool value)
-{
-    return value ? "on" : "off";
 }
 
 template <class Value, class Rule>
 std::string typed(const Value& value, const Rule& rule)
 {
-    if constexpr (std::is_enum_v<Value>)
+    if constexpr (std::is_same_v<Value, std::string>)
+        return value;
+    else if constexpr (std::is_same_v<Value, bool>)
+        return value ? "on" : "off";
+    else if constexpr (std::is_enum_v<Value>)
         return std::size_t(value) < rule.names.size() ? std::string(rule.names[std::size_t(value)])
                                                       : numberText(double(value));
-    else if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>)
-        return numberText(double(value));
     else
-        return textOf(value);
+        return numberText(double(value));
 }
 
 template <std::size_t N>
@@ -226,10 +207,6 @@ void setCamera(SceneDescription& scene, const std::string& text)
     if (relative) scene.camera.position.reset();
 }
 
-}  // namespace
-
-namespace {
-
 /// Sets an option that takes words in the place of numbers by one of these, and the numbers are not set then. False
 /// where the text is no word.
 bool setWord(SceneDescription& scene, std::string_view name, const std::string& text)
@@ -244,7 +221,7 @@ bool setWord(SceneDescription& scene, std::string_view name, const std::string& 
             isSet = std::find(rule.names.begin(), rule.names.end(), text) != rule.names.end();
             if (!isSet && !nearest.empty())
                 throw InputError(std::string(name), "found " + inQuotes(text),
-                                 expectedName(rule) + ", or numbers" + nearest);
+                                 expectedText(rule) + ", or numbers" + nearest);
             value = {};  // A number takes its place.
             if (isSet) parse(std::string(name), text, value, rule);
         }

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <string_view>
 
 #include "aeolic/error.h"
 #include "description/builtin_names.h"
-#include "description/file_parts.h"
+#include "description/file_kinds.h"
 #include "description/option_rules.h"
 
 namespace aeolic {
@@ -72,6 +73,25 @@ void parseIsosurface(std::string_view text, SurfaceSpec& spec)
     if (equals == std::string_view::npos || equals == 0) fail(spec, "no array or no value", expected);
     spec.array = text.substr(0, equals);
     spec.value = parseFinite(text.substr(equals + 1), spec, expected);
+}
+
+/// The colon behind the file's name. Names of parts may have colons, too, so it is the last one behind a file that is
+/// there, else behind a name that ends like one, else the last of all.
+std::size_t colonBehindFile(const std::string& spec)
+{
+    const auto find = [&](const auto& isFile) {
+        std::size_t colon = spec.rfind(':');
+        while (colon != std::string::npos && colon > 0 && !isFile(spec.substr(0, colon)))
+            colon = spec.rfind(':', colon - 1);
+        return colon == 0 ? std::string::npos : colon;
+    };
+    const auto isThere = [](const std::string& file) {
+        std::error_code error;
+        return std::filesystem::exists(file, error);
+    };
+    std::size_t colon = find(isThere);
+    if (colon == std::string::npos) colon = find([](const std::string& file) { return fileKindOf(file) != nullptr; });
+    return colon == std::string::npos ? spec.rfind(':') : colon;
 }
 
 /// A number that is none stays in the text, for the surface's maker to refuse.
@@ -136,6 +156,25 @@ SurfaceSpec SurfaceSpec::boundary()
 SurfaceSpec SurfaceSpec::image()
 {
     return made(std::string(kImage), Kind::image);
+}
+
+FileAndParts splitParts(const std::string& spec)
+{
+    std::error_code error;
+    if (std::filesystem::exists(spec, error)) return {spec, {}};
+    const std::size_t colon = colonBehindFile(spec);
+    if (colon == std::string::npos || colon == 0) return {spec, {}};
+    FileAndParts split{spec.substr(0, colon), {}};
+    std::string_view rest = std::string_view(spec).substr(colon + 1);
+    for (;;) {
+        const std::size_t comma = rest.find(',');
+        if (comma != 0 && !rest.empty()) split.parts.emplace_back(rest.substr(0, comma));
+        if (comma == std::string_view::npos) break;
+        rest.remove_prefix(comma + 1);
+    }
+    if (split.parts.empty())
+        throw InputError("surface '" + spec + "'", "no part is named behind ':'", "names, groups or patterns with *");
+    return split;
 }
 
 SurfaceSpec parseSurfaceSpec(const std::string& text)

@@ -16,43 +16,24 @@ namespace {
 struct OptionChecker {
     const OptionNaming& naming;
 
-    template <class Rule>
-    void operator()(const Option& option, const std::string& text, const Rule& rule) const
-    {
-        checkText(naming(option), text, rule);
-    }
-    template <class Number>
-    requires std::is_arithmetic_v<Number>
-    void operator()(const Option& option, Number value, const NumberRule& rule) const
-    {
-        checkNumber(naming(option), double(value), rule);
-    }
-    void operator()(const Option& option, int value, const NumberRule& rule) const
-    {
-        checkWhole(naming(option), value, rule);
-    }
-    void operator()(const Option& option, std::uint32_t value, const NumberRule& rule) const
-    {
-        checkWhole(naming(option), value, rule);
-    }
     template <class Value, class Rule>
-    void operator()(const Option& option, const std::optional<Value>& value, const Rule& rule) const
+    void operator()(const Option& option, const Value& value, const Rule& rule) const
     {
-        if (value) (*this)(option, *value, rule);
+        if constexpr (requires { value.has_value(); }) {
+            if (value) (*this)(option, *value, rule);
+        } else if constexpr (std::is_same_v<Value, std::string>) {
+            checkText(naming(option), value, rule);
+        } else if constexpr (std::is_enum_v<Value>) {
+            if (int(value) < 0 || std::size_t(value) >= rule.names.size())
+                throw InputError(naming(option), fmt::format("found value {}", int(value)), expectedText(rule));
+        } else if constexpr (std::is_floating_point_v<Value>) {
+            checkNumber(naming(option), value, rule);
+        } else if constexpr (std::is_same_v<Rule, NumberRule> && std::is_integral_v<Value>) {
+            checkWhole(naming(option), value, rule);
+        } else if constexpr (std::is_same_v<Rule, NumberRule>) {
+            for (const double number : value) checkNumber(naming(option), number, rule);
+        }
     }
-    template <std::size_t N>
-    void operator()(const Option& option, const std::array<double, N>& values, const NumberRule& rule) const
-    {
-        for (double value : values) checkNumber(naming(option), value, rule);
-    }
-    template <class Enum>
-    requires std::is_enum_v<Enum>
-    void operator()(const Option& option, Enum value, const NameRule& rule) const
-    {
-        if (int(value) < 0 || std::size_t(value) >= rule.names.size())
-            throw InputError(naming(option), fmt::format("found value {}", int(value)), expectedName(rule));
-    }
-    void operator()(const Option&, bool, const SwitchRule&) const {}
 };
 
 std::string text(const Vec3& v)
@@ -60,28 +41,30 @@ std::string text(const Vec3& v)
     return fmt::format("{},{},{}", numberText(v[0]), numberText(v[1]), numberText(v[2]));
 }
 
+/// `where`: gives what messages call the range.
+template <class Where>
+void checkColorRange(const std::optional<std::array<double, 2>>& range, const Where& where)
+{
+    if (range && !((*range)[0] < (*range)[1]))
+        throw InputError(where(), fmt::format("found {},{}", numberText((*range)[0]), numberText((*range)[1])),
+                         "the low end first, and below the high end");
+}
+
 /// Several surfaces in one picture.
 void checkSurfaces(const SceneDescription& scene, const OptionNaming& naming)
 {
     const std::vector<SurfaceItem>& items = scene.surfaces;
     if (items.empty()) return;
-    const auto named = [&](std::size_t i, std::string_view field) {
+    const auto named = [&](std::size_t i, const char* field) {
         const std::string key = surfaceKey(i);
-        std::string text;
-        forEachItemOption(items[i], key.c_str(), [&](const Option& option, const auto&, const auto&) {
-            if (option.key == field) text = naming(option);
-        });
-        return text;
+        return naming(Option{{key.c_str(), "Data"}, field, "", "", ""});
     };
     if (items.size() > options::mostSurfaces)
         throw InputError("surfaces", fmt::format("found {}", items.size()),
                          fmt::format("at most {} in one picture", options::mostSurfaces));
     for (std::size_t i = 0; i < items.size(); ++i) {
         if (items[i].spec == "image") throw InputError(named(i, "spec"), "found 'image' among several", "it alone");
-        if (const auto& range = items[i].colorRange; range && !((*range)[0] < (*range)[1]))
-            throw InputError(named(i, "colorRange"),
-                             fmt::format("found {},{}", numberText((*range)[0]), numberText((*range)[1])),
-                             "the low end first, and below the high end");
+        checkColorRange(items[i].colorRange, [&] { return named(i, "colorRange"); });
     }
     if (std::none_of(items.begin(), items.end(), [](const SurfaceItem& item) { return item.streaks; }))
         throw InputError("surfaces", "none of them has streaks", "at least one with streaks");
@@ -97,10 +80,7 @@ void checkRelations(const SceneDescription& scene, const OptionNaming& naming)
         });
         return text;
     };
-    if (const auto& range = scene.shading.colorRange; range && !((*range)[0] < (*range)[1]))
-        throw InputError(named("--color-range"),
-                         fmt::format("found {},{}", numberText((*range)[0]), numberText((*range)[1])),
-                         "the low end first, and below the high end");
+    checkColorRange(scene.shading.colorRange, [&] { return named("--color-range"); });
 
     if (const auto& range = scene.shading.colorRange;
         range && colorScaleOf(scene.shading.colorScale).kind == ColorScale::Kind::log && !((*range)[0] > 0))

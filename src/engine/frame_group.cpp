@@ -4,12 +4,12 @@
 #include <span>
 
 #include "aeolic/error.h"
+#include "cluster/composite/composite.h"
 #include "cluster/composite/edge_composite.h"
-#include "cluster/composite/field_composite.h"
 #include "cluster/composite/picture_gather.h"
-#include "cluster/composite/surface_composite.h"
-#include "cluster/guards/stripe_neighbours.h"
-#include "render/lic/jump_plan.h"
+#include "cluster/guards/stripe_guards.h"
+#include "description/option_table.h"
+#include "description/scene_text.h"
 
 namespace aeolic {
 namespace {
@@ -32,11 +32,31 @@ FrameRows rowsOf(const FramePlan& plan, int rank)
     return rows;
 }
 
+/// The options without the phase.
+std::string textOf(const LicOptions& lic)
+{
+    SceneDescription scene;
+    scene.lic = lic;
+    scene.lic.phase = 0;
+    return groupText(scene, options::lic.key);
+}
+
 }  // namespace
+
+bool HeldCycle::holds(const Camera& camera, const LicOptions& lic, const Palette& palette) const
+{
+    return frame_ && frame_->camera == camera && frame_->lic == textOf(lic) && frame_->antialias == palette.antialias &&
+           frame_->occlusion == palette.occlusion;
+}
+
+void HeldCycle::hold(const Camera& camera, const LicOptions& lic, const Palette& palette, const FramePlan& plan)
+{
+    frame_ = {camera, textOf(lic), palette.antialias, palette.occlusion, plan};
+}
 
 FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options)
     : communicator_(std::move(communicator)),
-      balancer_(makeBalancer(options.balance)),
+      balance_(options.balance),
       estimateGuards_(options.guard == GuardChoice::estimate),
       forcedSource_(forcedSource(options.guardRows))
 {
@@ -44,7 +64,7 @@ FrameGroup::FrameGroup(std::shared_ptr<Communicator> communicator, const RunOpti
 
 RowCoverage FrameGroup::coverage(const View& view, const Scene& scene, Backend& backend)
 {
-    if (ranks() == 1 || !balancer_->needsCoverage()) return {};
+    if (ranks() == 1 || !needsCoverage(balance_)) return {};
     const int height = view.camera.height, factor = coverageFactor(height, ranks());
     const Camera coarse = coarseView(view, factor).camera;
     const auto triangles = std::int64_t(scene.surface.triangles.size());
@@ -70,8 +90,8 @@ void FrameGroup::partition(const View& view, const LicOptions& lic, const Scene&
     plan.source = forcedSource_.value_or(cheaperGuard(costs, lic, plan.width, plan.guardRows, 2 * ranks()));
     plan.costs = stripeCosts(costs, lic, plan.source, plan.width, plan.guardRows, estimateGuards_ ? kEstimatedPart : 1);
     plan.coverage = coverage(view, scene, backend);
-    plan.stripes = balancer_->partition({height, ranks(), history_.stripes, history_.workMs, plan.coverage,
-                                         relativeSpeeds(history_.speeds), plan.costs});
+    plan.stripes = balancedStripes(balance_, {height, ranks(), history_.stripes, history_.workMs, plan.coverage,
+                                              relativeSpeeds(history_.speeds), plan.costs});
     plan.rows = rowsOf(plan, rank());
 }
 

@@ -2,18 +2,70 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "aeolic/renderer.h"
+#include "base/extent.h"
 #include "cluster/balance/balancer.h"
+#include "cluster/balance/frame_costs.h"
 #include "cluster/balance/speed_history.h"
 #include "cluster/comm/communicator.h"
 #include "cluster/composite/painted_pixels.h"
 #include "cluster/guards/stripe_guards.h"
-#include "engine/frame_plan.h"
-#include "engine/held_cycle.h"
+#include "description/camera.h"
 #include "render/backend.h"
+#include "render/lic/jump_plan.h"
+#include "render/palette.h"
 
 namespace aeolic {
+
+/// The rows one rank has to do with in a frame.
+struct FrameRows {
+    Extent stripe;  ///< Convolved and shaded here.
+    Extent drawn;   ///< Projected here: the stripe, and its guard where that is drawn again.
+    Extent valid;   ///< What traces read at most.
+    Extent read;    ///< What traces read as far as is known; `valid` until guards() knows better.
+};
+
+/// Which rank draws which rows of a frame, and all else that is needed until it is finished.
+struct FramePlan {
+    FrameRows rows;  ///< This rank's.
+    Stripes stripes;
+    int width = 0, guardRows = 0;
+    int edgeRows = 0;  ///< Rows next to the stripe that shading reads.
+    GuardSource source = GuardSource::project;
+    double maxStepPx = 0, flowUnitPx = 1;
+    TraceReach reach;      ///< The LIC method's.
+    StripeCosts costs;     ///< What the balancer reckoned with.
+    RowCoverage coverage;  ///< Empty where the balancer needed none.
+    bool again = false;    ///< It is that of the frame before, whose sums are used again.
+};
+
+/// What of a cycle of phases the backend holds (render/lic/phase_mix.h): for as long as nothing but the phase and the
+/// colours change, frames are mixed from it. All ranks hold the same.
+class HeldCycle {
+public:
+    /// Whether a frame with this camera and these options, as the LIC stage gets them, goes on with it.
+    bool holds(const Camera& camera, const LicOptions& lic, const Palette& palette) const;
+
+    /// The backend holds this frame from now on.
+    void hold(const Camera& camera, const LicOptions& lic, const Palette& palette, const FramePlan& plan);
+
+    /// The backend is used for something else, or the scene changed.
+    void forget() { frame_.reset(); }
+
+    /// The plan by which the frame was drawn that the backend holds.
+    const FramePlan& plan() const { return frame_->plan; }
+
+private:
+    struct Held {
+        Camera camera;
+        std::string lic;  // All options but the phase, as text.
+        bool antialias, occlusion;
+        FramePlan plan;
+    };
+    std::optional<Held> frame_;
+};
 
 /// The picture's pixels, and memory kept from frame to frame: in an animation no frame allocates.
 struct FrameTiles {
@@ -34,7 +86,7 @@ struct FrameHistory {
 /// remember of the frames before. Every method is Collective unless it says otherwise.
 class FrameGroup {
 public:
-    /// Throws InputError for options that name no balancer, guard or guard rows.
+    /// Throws InputError for options that name no guard or guard rows.
     FrameGroup(std::shared_ptr<Communicator> communicator, const RunOptions& options);
 
     Communicator& communicator() { return *communicator_; }  ///< Local.
@@ -83,7 +135,7 @@ private:
     double stripeMs(const RankStats& rank) const;
 
     std::shared_ptr<Communicator> communicator_;
-    std::unique_ptr<Balancer> balancer_;
+    Balance balance_;
     bool estimateGuards_;
     std::optional<GuardSource> forcedSource_;
     HeldCycle cycle_;

@@ -19,38 +19,6 @@ int overlap(int begin, int end, int at, int factor)
     return std::max(0, std::min(end, (at + 1) * factor) - std::max(begin, at * factor));
 }
 
-/// What of the surface all ranks together have in a view. A GPU counts rows alone, so the processor draws for it.
-class Coverage {
-public:
-    Coverage(const Scene& scene, Backend& backend, Communicator& ranks)
-        : scene_(scene),
-          backend_(backend),
-          ranks_(ranks),
-          part_(scene.inPieces ? 0 : ranks.rank()),
-          parts_(scene.inPieces ? 1 : ranks.size())
-    {
-    }
-
-    const CoverageBits& of(const View& view, int factor)
-    {
-        CoverageBits* bits = backend_.coverageOfPart(view, factor, part_, parts_);
-        if (!bits) {
-            if (!arrays_) arrays_.emplace(scene_);
-            bits = &count_.draw(*arrays_, coarseView(view, factor), part_, parts_);
-        }
-        uniteCoverage(ranks_, *bits);
-        return *bits;
-    }
-
-private:
-    const Scene& scene_;
-    Backend& backend_;
-    Communicator& ranks_;
-    int part_, parts_;
-    std::optional<cpu::SceneArrays> arrays_;
-    cpu::CoverageCount count_;
-};
-
 }  // namespace
 
 std::int64_t coveredArea(const Box& box, const CoverageBits& bits, int factor)
@@ -80,12 +48,19 @@ std::size_t steadyLegendPlace(const std::vector<Box>& places, const std::vector<
                               Backend& backend, Communicator& ranks)
 {
     if (places.size() < 2) return 0;
-    Coverage coverage(scene, backend, ranks);
+    const int part = scene.inPieces ? 0 : ranks.rank(), parts = scene.inPieces ? 1 : ranks.size();
+    std::optional<cpu::SceneArrays> arrays;
+    cpu::CoverageCount count;
     std::vector<std::int64_t> covered(places.size(), 0);
     for (const View& view : views) {
         const int factor = std::max(1, std::min(view.camera.width, view.camera.height) / coarseRows);
-        const CoverageBits& bits = coverage.of(view, factor);
-        for (std::size_t i = 0; i < places.size(); ++i) covered[i] += coveredArea(places[i], bits, factor);
+        CoverageBits* bits = backend.coverageOfPart(view, factor, part, parts);
+        if (!bits) {  // A GPU counts rows alone, so the processor draws for it.
+            if (!arrays) arrays.emplace(scene);
+            bits = &count.draw(*arrays, coarseView(view, factor), part, parts);
+        }
+        uniteCoverage(ranks, *bits);
+        for (std::size_t i = 0; i < places.size(); ++i) covered[i] += coveredArea(places[i], *bits, factor);
     }
     return freestPlace(covered);
 }

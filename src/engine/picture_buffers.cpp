@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "render/cpu/project/shown_surfaces.h"
+#include "render/cpu/project/visibility.h"
 
 namespace aeolic {
 namespace {
@@ -25,6 +25,31 @@ void forEachList(Buffers& buffers, const Visit& visit)
     visit(buffers.surface);
 }
 
+/// Which of several surfaces the pixels of some rows show, in Scene::surfaces' order; -1: none. [pixels of `rows`], row
+/// after row. Cost: that of finding what is visible in a frame, and of rearranging the scene for it.
+std::vector<std::int32_t> shownSurfaces(const Scene& scene, const View& view, const Extent& rows)
+{
+    const SurfaceMesh& mesh = scene.surface;
+    const cpu::SceneArrays arrays(scene);
+    cpu::Visibility visibility;
+    visibility.bin(arrays, view, rows);
+    const std::size_t width = std::size_t(rows.width());
+    std::vector<std::int32_t> shown(width * std::size_t(rows.height()), -1);
+    parallelFor(std::size_t(visibility.tiles()), [&](std::size_t i) {
+        thread_local cpu::TileKeys keys;
+        if (!visibility.draw(int(i), keys)) return;
+        const Extent tile = visibility.tileExtent(int(i));
+        for (int y = tile.y0; y < tile.y1; ++y)
+            for (int x = tile.x0; x < tile.x1; ++x) {
+                const std::uint64_t key = keys.key[y - tile.y0][x - tile.x0];
+                if (key == 0) continue;
+                shown[std::size_t(y - rows.y0) * width + std::size_t(x - rows.x0)] =
+                    mesh.surfaceOf[mesh.triangles[cpu::TileKeys::triangle(key)][0]];
+            }
+    });
+    return shown;
+}
+
 }  // namespace
 
 PictureBuffers buffersOf(Backend& backend, const View& view, const Scene& scene, const Extent& rows)
@@ -40,7 +65,7 @@ PictureBuffers buffersOf(Backend& backend, const View& view, const Scene& scene,
     if (scene.hasScalar) out.scalar.assign(pixels, kUntold);
     if (pixels == 0) return out;
     const bool several = !scene.surface.surfaceOf.empty();
-    out.surface = several ? cpu::shownSurfaces(scene, view, rows) : std::vector<std::int32_t>(pixels, 0);
+    out.surface = several ? shownSurfaces(scene, view, rows) : std::vector<std::int32_t>(pixels, 0);
     SeenSurface seen;
     backend.see(rows, seen);
     const Image<float>& lic = backend.probe().lic();

@@ -16,47 +16,42 @@
 namespace aeolic {
 namespace {
 
+/// What is said of the values of an array and their colours. `range`: what the map spans, unless the options say
+/// otherwise; `all` and `robust`: of all values, and of 96 % of the area.
 void addScale(const ShadingOptions& shading, const std::string& surface, const std::string& array,
-              const std::array<double, 2>& range, std::vector<std::string>& warnings)
+              const std::array<double, 2>& range, const std::array<double, 2>& all, const std::array<double, 2>& robust,
+              std::vector<std::string>& warnings)
 {
-    if (!lacksLogarithm(shading, range)) return;
-    warnings.push_back(
-        fmt::format("{}: '{}' is nowhere above 0, as --color-scale log needs it: its colours are on a linear scale",
-                    surface, array));
-}
-
-/// Where a few wild values leave one colour for nearly all of the surface, as after a run that diverged.
-void addWildValues(const ShadingOptions& shading, const std::string& surface, const std::string& array,
-                   const std::array<double, 2>& range, const std::array<double, 2>& robust,
-                   std::vector<std::string>& warnings)
-{
+    if (lacksLogarithm(shading, range))
+        warnings.push_back(
+            fmt::format("{}: '{}' is nowhere above 0, as --color-scale log needs it: its colours are on a linear scale",
+                        surface, array));
+    // Where a few wild values leave one colour for nearly all of the surface, as after a run that diverged.
     constexpr double kWild = 200;  // Times the range of 96 % of the area: the others share one colour.
     const double width = robust[1] - robust[0];
-    if (shading.colorRange || shading.colorRangeOf != RangeOf::data || !(width > 0) ||
-        range[1] - range[0] <= kWild * width)
+    const bool isWild = width > 0 && all[1] - all[0] > kWild * width;
+    if (!isWild || shading.colorRange || shading.colorRangeOf != RangeOf::data ||
+        colorScaleOf(shading.colorScale).kind == ColorScale::Kind::log)
         return;
-    if (colorScaleOf(shading.colorScale).kind == ColorScale::Kind::log) return;
     warnings.push_back(
         fmt::format("{}: '{}' is from {:.3g} to {:.3g}, but on 96 % of the area from {:.3g} to {:.3g}, which have one "
                     "colour; try --color-range {:.4g},{:.4g}, or robust",
-                    surface, array, range[0], range[1], robust[0], robust[1], robust[0], robust[1]));
+                    surface, array, all[0], all[1], robust[0], robust[1], robust[0], robust[1]));
 }
 
 void addScales(const ShadingOptions& shading, const Scene& scene, std::vector<std::string>& warnings)
 {
+    const std::string& surface = scene.surface.name;
     if (scene.surfaces.empty()) {
-        if (scene.hasScalar && scene.scalarRangeKnown) {
-            addScale(shading, scene.surface.name, scene.scalarName, scene.rangeFor(shading), warnings);
-            addWildValues(shading, scene.surface.name, scene.scalarName, scene.scalarRange, scene.robustRange,
-                          warnings);
-        }
+        if (scene.hasScalar && scene.scalarRangeKnown)
+            addScale(shading, surface, scene.scalarName, scene.rangeFor(shading), scene.scalarRange, scene.robustRange,
+                     warnings);
         return;
     }
     for (const SceneColors& colors : scene.colors) {
-        if (!colors.rangeKnown) continue;
         const ShadingOptions own = shadingOf(shading, colors);
-        addScale(own, scene.surface.name, colors.name, colors.rangeFor(own), warnings);
-        addWildValues(own, scene.surface.name, colors.name, colors.range, colors.robustRange, warnings);
+        if (colors.rangeKnown)
+            addScale(own, surface, colors.name, colors.rangeFor(own), colors.range, colors.robustRange, warnings);
     }
 }
 
@@ -94,16 +89,17 @@ std::string againstFlowWarning(const Scene& scene)
                                               : fmt::format("\"vectors\": \"reversed({})\" of this surface", array));
 }
 
-std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOptions& lic, const Scene& scene,
+std::vector<std::string> pictureWarnings(const StartedFrame& frame, const Scene& scene,
                                          const std::vector<double>& times, int width, int height)
 {
+    const LicOptions& lic = frame.request.lic;
     std::vector<std::string> warnings;
-    addScales(frame.shading, scene, warnings);
+    addScales(frame.request.shading, scene, warnings);
     // The longest vector is that of the first moment; others may have longer ones.
     if (times.empty() && scene.maxVector > 0 && lic.maskBelow > scene.maxVector && lic.method != LicMethod::none)
         warnings.push_back(fmt::format("{}: no streaks show: the longest vector is {:.3g}, and --mask-below {}",
                                        scene.surface.name, scene.maxVector, numberText(lic.maskBelow)));
-    if (scene.againstFlow && showsDirection(lic, frame.shading)) warnings.push_back(againstFlowWarning(scene));
+    if (scene.againstFlow && showsDirection(lic, frame.request.shading)) warnings.push_back(againstFlowWarning(scene));
     const Figure figure = figureOf(frame, scene, times);
     addUnknownCharacters(figure, warnings);
     const std::string leftOut = FigureLayout(figure, width, height).leftOut(figure);

@@ -16,7 +16,7 @@ std::string againstFlowWarning(const Scene& scene);
 
 /// What the options of a frame ask for that these data, or a picture of this size, do not give: one line each. `times`:
 /// the moments of the scene's steps.
-std::vector<std::string> pictureWarnings(const StartedFrame& frame, const LicOptions& lic, const Scene& scene,
+std::vector<std::string> pictureWarnings(const StartedFrame& frame, const Scene& scene,
                                          const std::vector<double>& times, int width, int height);
 
 /// What is said where a moment that is asked for is outside of the data; else empty. `span`: the first and the last

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <glm/glm.hpp>
-#include <utility>
 #include <vector>
 
 #include "aeolic/topology.h"
@@ -29,23 +27,5 @@ glm::dvec3 vectorAt(const Scene& scene, const SurfacePlace& place, const FieldVe
 /// process; `lookUp`: its fields.
 std::vector<SurfaceValues> valuesAt(const Scene& scene, const PointFlow& flow, const std::vector<SurfacePlace>& places,
                                     const FieldLookup& lookUp);
-
-/// Values that were looked up all at once, given out again in their order.
-class ValuesInTurn {
-public:
-    explicit ValuesInTurn(std::vector<SurfaceValues> values) : values_(std::move(values)) {}
-
-    SurfaceValues next() { return values_[given_++]; }
-    std::vector<SurfaceValues> next(std::size_t count)
-    {
-        const auto begin = values_.begin() + std::ptrdiff_t(given_);
-        given_ += count;
-        return {begin, begin + std::ptrdiff_t(count)};
-    }
-
-private:
-    std::vector<SurfaceValues> values_;
-    std::size_t given_ = 0;
-};
 
 }  // namespace aeolic

@@ -111,7 +111,7 @@ void convolve(const PlaneFlow& flow, const LicOptions& lic, const PlaneRows& pla
         if (direct) {
             stage.runFine(buffer, fine, lic, compute);
         } else {
-            stage.runOn(buffer, lic, compute, FreshRows(known, lic.step));
+            stage.run(buffer, lic, compute, nullptr, FreshRows(known, lic.step));
             stage.smooth(buffer, lic, compute, nullptr);
         }
         known = extent.y1;

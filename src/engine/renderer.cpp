@@ -18,12 +18,11 @@
 #include "description/scene_json.h"
 #include "description/scene_text.h"
 #include "description/validate.h"
-#include "engine/flow_topology.h"
+#include "engine/flow_lines.h"
 #include "engine/picture_buffers.h"
 #include "engine/renderer_internals.h"
 #include "engine/renderer_state.h"
 #include "engine/surface_pick.h"
-#include "engine/surface_streamlines.h"
 #include "engine/tile_picture.h"
 #include "render/view.h"
 #include "version.h"
@@ -131,7 +130,10 @@ Renderer::Renderer(SceneDescription description, const Data& data, std::shared_p
         checkImageMemory(description.output.width, description.output.height);
         state_ = std::make_unique<State>(std::move(description), std::move(ranks), host.cores);
     });
-    if (before) state_->nameAs(*before);
+    if (before) {  // Names of files, colour maps' too, mean what they meant.
+        state_->folder = before->folder;
+        state_->colorMaps = before->colorMaps;
+    }
     state_->colorMap();  // Before the data: a fault in it shows at once.
     for (const SurfaceItem& item : state_->description.surfaces)
         if (item.colormap) state_->colorMap(*item.colormap);
@@ -172,15 +174,13 @@ void Renderer::start(const FrameSpec& spec)
 DrawnFrame Renderer::finish(Picture kept)
 {
     const StartedFrame& done = held().finish();
-    if (!done.frame.tiles.gather)
-        return pictureOf(done.frame.tiles.stripe, done.height, done.figure,
-                         {done.legendCorner,
-                          [&](std::vector<std::int64_t>& covered) {
-                              held().group.communicator().allReduce(std::span(covered), Reduction::sum);
-                          }},
-                         std::move(kept));
-    if (held().group.rank() != 0) return {};
-    return pictureOf(done.frame.tiles, done.height, done.figure, done.legendCorner, std::move(kept));
+    const FrameTiles& tiles = done.frame.tiles;
+    Communicator& ranks = held().group.communicator();
+    if (tiles.gather && !ranks.isRoot()) return {};
+    const auto sumOfRanks = [&](std::vector<std::int64_t>& covered) {
+        ranks.allReduce(std::span(covered), Reduction::sum);
+    };
+    return pictureOf(tiles, done.height, done.figure, done.legendCorner, sumOfRanks, std::move(kept));
 }
 
 DrawnFrame Renderer::render(const FrameSpec& spec, Picture kept)
@@ -209,7 +209,7 @@ void Renderer::setTime(double moment)
     held().info.time = held().now;
     ++held().revision;
     if (isAnimated) return;
-    held().forgetLegend();
+    held().legend.reset();
 }
 
 void Renderer::setShown(const std::vector<bool>& shown)

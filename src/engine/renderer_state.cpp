@@ -28,17 +28,6 @@
 #include "render/picture_memory.h"
 
 namespace aeolic {
-
-void checkImageMemory(int width, int height)
-{
-    const std::uint64_t needed = pictureBytes(width, height), available = availableMemoryBytes();
-    if (needed > available)
-        throw InputError(
-            "--size",
-            std::to_string(width) + "x" + std::to_string(height) + " needs " + std::to_string(needed >> 20) + " MB",
-            "at most the " + std::to_string(available >> 20) + " MB of memory available");
-}
-
 namespace {
 
 /// More threads than that on each core only wait for each other.
@@ -49,20 +38,6 @@ int threadsOf(const RunOptions& run, int cores)
     if (run.threads == 0) return cores;
     return std::min(run.threads, mostThreadsOfCore * tbb::info::default_concurrency());
 }
-
-}  // namespace
-
-Renderer::State::State(SceneDescription d, std::shared_ptr<Communicator> ranks, int cores)
-    : description(std::move(d)),
-      arena(threadsOf(description.run, cores)),
-      group(std::move(ranks), description.run),
-      agreement(group.communicator())
-{
-    if (arena.max_concurrency() > tbb::info::default_concurrency())
-        allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(arena.max_concurrency()));
-}
-
-namespace {
 
 ProgressReport reportTo(ProgressFunction& progress)
 {
@@ -82,10 +57,24 @@ SceneDescription foundFromHere(SceneDescription description, const StartFolder& 
 
 }  // namespace
 
-void Renderer::State::nameAs(const State& other)
+void checkImageMemory(int width, int height)
 {
-    folder = other.folder;
-    colorMaps = other.colorMaps;
+    const std::uint64_t needed = pictureBytes(width, height), available = availableMemoryBytes();
+    if (needed > available)
+        throw InputError(
+            "--size",
+            std::to_string(width) + "x" + std::to_string(height) + " needs " + std::to_string(needed >> 20) + " MB",
+            "at most the " + std::to_string(available >> 20) + " MB of memory available");
+}
+
+Renderer::State::State(SceneDescription d, std::shared_ptr<Communicator> ranks, int cores)
+    : description(std::move(d)),
+      arena(threadsOf(description.run, cores)),
+      group(std::move(ranks), description.run),
+      agreement(group.communicator())
+{
+    if (arena.max_concurrency() > tbb::info::default_concurrency())
+        allowed.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(arena.max_concurrency()));
 }
 
 void Renderer::State::load(const Data& memory, ProgressFunction progress)
@@ -129,7 +118,7 @@ void Renderer::State::tell()
         warnings.push_back(ofMoment);
     if (const std::string ofRest = restWarning(description, scene(), now, info.times); !ofRest.empty())
         warnings.push_back(ofRest);
-    const auto more = pictureWarnings(frame, description.lic, scene(), info.times, output.width, output.height);
+    const auto more = pictureWarnings(frame, scene(), info.times, output.width, output.height);
     const std::size_t ofData = warnings.size();
     warnings.insert(warnings.end(), more.begin(), more.end());
     info.dataWarnings = ofData;
@@ -167,10 +156,10 @@ void Renderer::State::setGroup(SceneDescription changed, const char* key, const 
 
 void Renderer::State::setLook(StartedFrame& frame)
 {
-    frame.shading = description.shading;
-    frame.lic = description.lic;
-    frame.colorMap = colorMap();
-    frame.colorMaps = surfaceColorMaps();
+    frame.request.shading = description.shading;
+    frame.request.lic = description.lic;
+    frame.request.colorMap = colorMap();
+    frame.request.colorMaps = surfaceColorMaps();
     frame.height = description.output.height;
     frame.time = now;
     frame.timeRange = description.time.range;
@@ -234,7 +223,7 @@ void Renderer::State::setShown(const std::vector<bool>& shown)
         if (change.any()) moveBackend(change);
     });
     ++revision;
-    forgetLegend();
+    legend.reset();
     tell();
 }
 
@@ -250,7 +239,7 @@ void Renderer::State::setData(const Data& memory, ProgressFunction progress)
     ++revision;
     info.fieldBytes = scene().field ? scene().field->bytes() : 0;
     info.fieldBytesOfRank = group.communicator().allGatherValue(std::int64_t(info.fieldBytes));
-    forgetLegend();
+    legend.reset();
     tell();
 }
 
@@ -342,31 +331,32 @@ void Renderer::State::start(const FrameSpec& spec)
 {
     requireFrame(spec);
     if (const auto* camera = std::get_if<CameraOptions>(&spec.view))
-        return startView({*camera, description.lic.phase}, spec.gather, info.time, std::nullopt);
+        return startView(*camera, description.lic.phase, spec.gather, info.time, std::nullopt);
     const int index = std::get<AnimationFrame>(spec.view).index, ofAll = description.output.frames;
     const auto& range = description.time.range;
     const double moment = range ? momentOfFrame(*range, index, ofAll) : info.time;
     const std::optional<Corner> corner = steadyCorner(moment);
     if (range) moveTo(moment, momentOfFrame(*range, std::min(index + 1, ofAll - 1), ofAll));
-    startView({viewOfFrame(index), phaseOfFrame(index)}, spec.gather, range ? now : moment, corner);
+    startView(viewOfFrame(index), phaseOfFrame(index), spec.gather, range ? now : moment, corner);
 }
 
-void Renderer::State::startView(const Look& look, bool gather, double moment, std::optional<Corner> corner)
+void Renderer::State::startView(const CameraOptions& camera, double phase, bool gather, double moment,
+                                std::optional<Corner> corner)
 {
     if (now != moment) moveTo(moment, now);  // Whoever draws an animation and other views in turn comes back.
     StartedFrame& frame = frames.next(*backend);
     setLook(frame);
-    FrameRequest request{cameraOf(look.camera), description.lic, frame.shading, frame.colorMap, frame.colorMaps};
-    request.lic.phase = look.phase;
+    FrameRequest& request = frame.request;
+    request.camera = cameraOf(camera);
+    request.lic.phase = phase;
     request.inCycle =
         description.lic.flow == FlowMotion::loop && orbitDegOf(description) == 0 && !description.time.range;
-    frame.camera = request.camera;
     frame.legendCorner = corner;
     frame.figure = figureOf(frame, scene(), info.times);
     frame.stepMs = std::exchange(stepMs, 0.0);
     frame.frame.tiles.gather = gather;
     arena.execute([&] {
-        request.overlay = overlay.of(frame.shading, whole());
+        request.overlay = overlay.of(request.shading, whole());
         aeolic::startFrame(request, scene(), *backend, group, frame.frame);
     });
     frames.started();

@@ -54,9 +54,6 @@ struct Renderer::State {
     const Scene& scene() const { return loaded->scene(); }
     WholeScene whole() { return {scene(), group.communicator()}; }
 
-    /// Names of files, colour maps' too, mean from now on what they mean to `other`.
-    void nameAs(const State& other);
-
     /// The scene and what draws it.
     void load(const Data& memory, ProgressFunction progress);
 
@@ -95,9 +92,6 @@ struct Renderer::State {
     /// first. Where the corner is not known and the scene is at another moment, it is moved to the first one; `next` is
     /// the one that is drawn then. Cost where it is known: a layout; else that of steadyLegendPlace().
     std::optional<Corner> steadyCorner(double next);
-    /// The data changed, or the part of them that is shown.
-    void forgetLegend() { legend.reset(); }
-
     /// The colour map that the description names. Throws InputError on all ranks where its file is not a colour map.
     std::shared_ptr<const ColorMap> colorMap() { return colorMap(description.shading.colormap); }
     std::shared_ptr<const ColorMap> colorMap(const std::string& name);
@@ -108,13 +102,9 @@ struct Renderer::State {
 private:
     /// Throws on all ranks where they ask for different frames, or for one that there is not.
     void requireFrame(const FrameSpec& spec);
-    struct Look {
-        CameraOptions camera;
-        double phase;
-    };
     /// Starts a frame of that moment. `legend`: the corner that it has in an animation; else where this picture has
     /// room for it.
-    void startView(const Look& look, bool gather, double moment, std::optional<Corner> legend);
+    void startView(const CameraOptions& camera, double phase, bool gather, double moment, std::optional<Corner> legend);
     /// What the options say now.
     void setLook(StartedFrame& frame);
     void makeBackend();

@@ -32,16 +32,16 @@ ScalarBar scalarBarOf(const ShadingOptions& shading, const ColorMap& map, const 
 /// One bar, or, of several surfaces, one for each kind of colours that is shown.
 std::vector<ScalarBar> barsOf(const StartedFrame& frame, const Scene& scene)
 {
-    const ShadingOptions& shading = frame.shading;
+    const ShadingOptions& shading = frame.request.shading;
     if (scene.surfaces.empty())
-        return {scalarBarOf(shading, *frame.colorMap, scene.rangeFor(shading), scene.scalarName)};
+        return {scalarBarOf(shading, *frame.request.colorMap, scene.rangeFor(shading), scene.scalarName)};
     std::vector<ScalarBar> bars;
     for (std::size_t i = 0; i < scene.colors.size(); ++i) {
         const SceneColors& colors = scene.colors[i];
         const auto has = [&](const SceneSurface& surface) { return surface.shown && surface.colors == int(i); };
         if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), has))
-            bars.push_back(
-                scalarBarOf(shadingOf(shading, colors), *frame.colorMaps[i], colors.rangeFor(shading), colors.name));
+            bars.push_back(scalarBarOf(shadingOf(shading, colors), *frame.request.colorMaps[i],
+                                       colors.rangeFor(shading), colors.name));
     }
     return bars;
 }
@@ -49,7 +49,7 @@ std::vector<ScalarBar> barsOf(const StartedFrame& frame, const Scene& scene)
 /// How long vectors are where streaks show in full, or have their length.
 std::optional<ScalarBar> streaksBar(const StartedFrame& frame, const Scene& scene)
 {
-    const LicOptions& lic = frame.lic;
+    const LicOptions& lic = frame.request.lic;
     if (lic.magnitude == Magnitude::none || lic.method == LicMethod::none || !(scene.maxVector > 0)) return {};
     ScalarBar bar;
     bar.colors = {Color{170, 170, 170}};
@@ -57,7 +57,7 @@ std::optional<ScalarBar> streaksBar(const StartedFrame& frame, const Scene& scen
     bar.hi = fades ? scene.fullStreaks() : scene.maxVector;
     const std::string name = scene.vectorsName.empty() ? "vectors" : scene.vectorsName;
     bar.title = "streaks: " + name + " along the surface";
-    bar.fill = lic.magnitude == Magnitude::contrast ? BarFill::fadingStreaks : BarFill::shorterStreaks;
+    bar.fill = fades ? BarFill::fadingStreaks : BarFill::shorterStreaks;
     return bar;
 }
 
@@ -73,7 +73,7 @@ std::string timeStampOf(double time, const std::vector<double>& times)
 
 Figure figureOf(const StartedFrame& frame, const Scene& scene, const std::vector<double>& times)
 {
-    const ShadingOptions& shading = frame.shading;
+    const ShadingOptions& shading = frame.request.shading;
     Figure figure;
     figure.inks = inksFor(shading.background);
     figure.textScale = shading.textScale;
@@ -81,7 +81,8 @@ Figure figureOf(const StartedFrame& frame, const Scene& scene, const std::vector
     if (scene.hasScalar && shading.scalarBar) figure.bars = barsOf(frame, scene);
     if (shading.scalarBar)
         if (auto bar = streaksBar(frame, scene)) figure.bars.push_back(std::move(*bar));
-    if (shading.axes) figure.axes = Orientation{frame.camera.right, frame.camera.up, frame.camera.forward};
+    if (shading.axes)
+        figure.axes = Orientation{frame.request.camera.right, frame.request.camera.up, frame.request.camera.forward};
     if (shading.timeStamp && !times.empty()) {
         figure.stamp = timeStampOf(frame.time, times);
         // Digits are as wide as each other, so one of the ends has the widest.

@@ -5,8 +5,7 @@
 #include <type_traits>
 
 #include "aeolic/error.h"
-#include "cluster/composite/field_composite.h"
-#include "cluster/composite/surface_composite.h"
+#include "cluster/composite/composite.h"
 #include "description/camera.h"
 #include "description/choices.h"
 #include "load_testing.h"

@@ -10,11 +10,7 @@ namespace aeolic {
 /// A frame from its start to its end, with the settings that may have changed by then.
 struct StartedFrame {
     Frame frame;
-    ShadingOptions shading;
-    LicOptions lic;
-    std::shared_ptr<const ColorMap> colorMap;                ///< What `shading` names.
-    std::vector<std::shared_ptr<const ColorMap>> colorMaps;  ///< [Scene::colors] Of several surfaces.
-    Camera camera;
+    FrameRequest request;
     int height = 0;  ///< The whole picture's.
     double time = 0, stepMs = 0;
     std::optional<std::array<double, 2>> timeRange;  ///< In an animation: the moments of its ends.

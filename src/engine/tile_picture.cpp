@@ -1,7 +1,6 @@
 #include "engine/tile_picture.h"
 
 #include <array>
-#include <optional>
 #include <utility>
 
 namespace aeolic {
@@ -15,23 +14,6 @@ Picture emptyPicture(const Tile& tile, int rows, Picture kept)
     return picture;
 }
 
-/// Returns where the legends stand: x, y, width, height.
-std::optional<std::array<int, 4>> addFigure(const PictureRows& rows, const Figure& figure, const Tile& tile,
-                                            const LegendPlace& place)
-{
-    const FigureLayout layout(figure, rows.width, rows.height);
-    std::size_t which = place.steady ? layout.placeIn(*place.steady) : 0;
-    if (!place.steady && layout.barPlaces.size() > 1) {
-        std::vector<std::int64_t> covered = coveredPixels(rows, layout.barPlaces, tile.background);
-        place.sumOfRanks(covered);
-        which = freestPlace(covered);
-    }
-    drawFigure(rows, figure, layout, which);
-    if (layout.barPlaces.empty()) return std::nullopt;
-    const Box& legend = layout.barPlaces[which];
-    return {{legend.x, legend.y, legend.width, legend.height}};
-}
-
 }  // namespace
 
 Picture gatheredPicture(const FrameTiles& tiles, int height, Picture kept)
@@ -43,21 +25,28 @@ Picture gatheredPicture(const FrameTiles& tiles, int height, Picture kept)
 }
 
 DrawnFrame pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<Corner> steady,
-                     Picture kept)
+                     const SumOfRanks& sumOfRanks, Picture kept)
 {
-    DrawnFrame picture{gatheredPicture(tiles, height, std::move(kept)), 0, height, {}};
-    LegendPlace place;
-    place.steady = steady;
-    picture.legend = addFigure(picture, figure, tiles.stripe, place);
-    return picture;
-}
+    const Tile& stripe = tiles.stripe;
+    DrawnFrame picture;
+    picture.wholeHeight = height;
+    picture.firstRow = tiles.gather ? 0 : stripe.extent.y0;
+    static_cast<Picture&>(picture) = tiles.gather ? gatheredPicture(tiles, height, std::move(kept))
+                                                  : emptyPicture(stripe, stripe.extent.height(), std::move(kept));
+    const PictureRows rows(picture, height, picture.firstRow);
+    if (!tiles.gather) layOut(stripe, rows);
 
-DrawnFrame pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept)
-{
-    DrawnFrame picture{emptyPicture(stripe, stripe.extent.height(), std::move(kept)), stripe.extent.y0, height, {}};
-    const PictureRows rows(picture, height, stripe.extent.y0);
-    layOut(stripe, rows);
-    picture.legend = addFigure(rows, figure, stripe, place);
+    const FigureLayout layout(figure, rows.width, height);
+    std::size_t which = steady ? layout.placeIn(*steady) : 0;
+    if (!steady && layout.barPlaces.size() > 1) {
+        std::vector<std::int64_t> covered = coveredPixels(rows, layout.barPlaces, stripe.background);
+        if (!tiles.gather) sumOfRanks(covered);
+        which = freestPlace(covered);
+    }
+    drawFigure(rows, figure, layout, which);
+    if (layout.barPlaces.empty()) return picture;
+    const Box& legend = layout.barPlaces[which];
+    picture.legend = {{legend.x, legend.y, legend.width, legend.height}};
     return picture;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "aeolic/picture.h"
@@ -15,19 +16,14 @@ namespace aeolic {
 /// its memory is used again.
 Picture gatheredPicture(const FrameTiles& tiles, int height, Picture kept = {});
 
-/// How a legend finds its corner: `steady`, the one that it has all through an animation, where it must not jump; else
-/// the one in which the surface covers least. `sumOfRanks` adds up what the ranks found in their own rows.
-struct LegendPlace {
-    std::optional<Corner> steady;
-    std::function<void(std::vector<std::int64_t>&)> sumOfRanks = [](std::vector<std::int64_t>&) {};
-};
+/// Adds up what the ranks found in their own rows.
+using SumOfRanks = std::function<void(std::vector<std::int64_t>&)>;
 
-/// The gathered picture for the user, with the figure on top.
+/// A frame for the user, with the figure on top: the whole picture where it is gathered, on rank 0, else a rank's own
+/// rows with their part of the figure. `height` is the whole picture's. `steady`: the corner that the legend has all
+/// through an animation, where it must not jump; without it, the one in which the surface covers least. Collective
+/// where `sumOfRanks` is, and the picture is not gathered.
 DrawnFrame pictureOf(const FrameTiles& tiles, int height, const Figure& figure, std::optional<Corner> steady,
-                     Picture kept);
-
-/// A rank's own rows for the user, with their part of the figure. `height` is the whole picture's. Collective where
-/// `place.sumOfRanks` is.
-DrawnFrame pictureOf(const Tile& stripe, int height, const Figure& figure, const LegendPlace& place, Picture kept);
+                     const SumOfRanks& sumOfRanks, Picture kept);
 
 }  // namespace aeolic

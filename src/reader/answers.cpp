@@ -1,7 +1,6 @@
 #include "reader/answers.h"
 
 #include "data/named_file.h"
-#include "data/reading/message_parts.h"
 #include "data/reading/packet_socket.h"
 #include "reader/vtk/color_map_xml.h"
 #include "reader/vtk/format_registry.h"
@@ -28,17 +27,17 @@ void addAnswer(ByteWriter& message, const LookRequest& request, const ProgressRe
     switch (request.question) {
         case Question::listedFiles:
             checkReadableFile(path);
-            return add(message, asked(path, &FormatReader::listed)(path));
+            return message.add(asked(path, &FormatReader::listed)(path));
         case Question::timesOfCase:
             return message.add(asked(path, &FormatReader::times)(path, request.words));
         case Question::pieces:
             return message.add(asked(path, &FormatReader::pieces)(path, request.use, request.words));
         case Question::surfaceCounts:
-            return addMaybe(message, asked(path, &FormatReader::counts)(path));
+            return message.add(asked(path, &FormatReader::counts)(path));
         case Question::summary:
-            return add(message, summaryOf(path, progress));
+            return message.add(summaryOf(path, progress));
         case Question::colorPoints:
-            return add(message, colorPointsInXml(request.words.at(0), path));
+            return message.add(colorPointsInXml(request.words.at(0), path));
     }
     throw LostPeer();
 }

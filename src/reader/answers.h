@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/byte_message.h"
 #include "data/progress.h"
 #include "data/reading/questions.h"
 

@@ -28,9 +28,8 @@ void tellProgress(const char*, double fraction, void* context)
 FileFacts factsOf(DataFile& file)
 {
     FileFacts facts;
-    facts.kind = file.kind();
     facts.announcesArrays = file.announcesArrays();
-    facts.readsFloats = facts.arraysByParts = file.readsFloats();
+    facts.arraysByParts = file.readsFloats();
     if (facts.announcesArrays && !facts.arraysByParts) facts.arrays = file.announcedArrays();
     facts.parts = file.parts();
     facts.timeSteps = file.timeSteps();
@@ -91,7 +90,7 @@ void FileServer::enter(const std::string& folder, const std::string& path)
 void FileServer::look(ByteReader& message)
 {
     LookRequest request;
-    aeolic::read(message, request);
+    message.read(request);
     file_.reset();
     enter(request.folder, request.path);
     limitMemory(mostMemoryOf(request.path));
@@ -103,31 +102,31 @@ void FileServer::look(ByteReader& message)
 void FileServer::open(ByteReader& message)
 {
     OpenRequest request;
-    aeolic::read(message, request);
+    message.read(request);
     file_.reset();
     enter(request.folder, request.path);
     limitMemory(mostMemoryOf(request.path));
     file_ = std::make_unique<DataFile>(request.path, request.use, request.time);
     ByteWriter answer;
-    add(answer, factsOf(*file_));
+    answer.add(factsOf(*file_));
     send(answer);
 }
 
 void FileServer::tellArrays(ByteReader& message)
 {
     ArraysRequest request;
-    aeolic::read(message, request);
+    message.read(request);
     file_->keepParts(request.parts);
     file_->requireAtTime(request.atTime);
     ByteWriter answer;
-    add(answer, file_->announcedArrays());
+    answer.add(file_->announcedArrays());
     send(answer);
 }
 
 void FileServer::read(ByteReader& message)
 {
     ReadRequest request;
-    aeolic::read(message, request);
+    message.read(request);
     file_->keepParts(request.parts);
     if (request.arrays) file_->keepOnly(*request.arrays);
     if (request.polyhedra) file_->keepPolyhedra();

@@ -34,19 +34,23 @@ Extent imageOf(const Bounds& boxWorld, const glm::dvec3& originWorld, const View
     return seen.empty() ? Extent{} : seen;
 }
 
-Extent imageOf(const GridField& field, const glm::dvec3& originWorld, const View& view)
+Bounds brickBounds(const GridField& field, double marginCells)
 {
-    if (!field.brick) return {0, 0, view.camera.width, view.camera.height};
-    const Brick& brick = *field.brick;
-    if (brick.empty()) return {};
     Bounds box;
     for (int c = 0; c < 3; ++c) {
         const auto a = std::size_t(c);
-        const double lo = double(brick.cellLo[a]) - kMarginCells, hi = double(brick.cellHi[a]) + kMarginCells;
-        box.lo[c] = field.originWorld[c] + lo * field.spacingWorld[c];
-        box.hi[c] = field.originWorld[c] + hi * field.spacingWorld[c];
+        const auto world = [&](double cell) { return field.originWorld[c] + cell * field.spacingWorld[c]; };
+        box.lo[c] = world(double(field.brick->cellLo[a]) - marginCells);
+        box.hi[c] = world(double(field.brick->cellHi[a]) + marginCells);
     }
-    return imageOf(box, originWorld, view);
+    return box;
+}
+
+Extent imageOf(const GridField& field, const glm::dvec3& originWorld, const View& view)
+{
+    if (!field.brick) return {0, 0, view.camera.width, view.camera.height};
+    if (field.brick->empty()) return {};
+    return imageOf(brickBounds(field, kMarginCells), originWorld, view);
 }
 
 }  // namespace aeolic

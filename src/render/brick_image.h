@@ -7,6 +7,9 @@
 
 namespace aeolic {
 
+/// The box of a field's brick, so many cells wider on each side. World.
+Bounds brickBounds(const GridField& field, double marginCells);
+
 /// Local. The pixels in which the box of a field's brick may be seen: empty for an empty brick and for one beside the
 /// image, all of the image where the box reaches behind the eye.
 Extent imageOf(const GridField& field, const glm::dvec3& originWorld, const View& view);

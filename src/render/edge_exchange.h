@@ -31,10 +31,7 @@ struct EdgePixelSeen {
 /// Where the surface is in pieces: brings what edges are smoothed from to the ranks whose rows they lie in.
 class EdgeExchange {
 public:
-    EdgeExchange() = default;
     virtual ~EdgeExchange() = default;
-    EdgeExchange(const EdgeExchange&) = delete;
-    EdgeExchange& operator=(const EdgeExchange&) = delete;
 
     /// Collective. The edges in all rows of the picture, from those in each rank's own. Cost: a bit a pixel to all.
     virtual EdgeMask gather(const EdgeMask& mine) = 0;

@@ -71,7 +71,9 @@ struct GBuffer {
 
     void resize(const Extent& valid, bool withScalar, bool withColors = false)
     {
-        resizeFlow(valid);
+        flow.resize(valid);
+        links.resize(valid);
+        allColumns();
         invDepth.resize(valid);
         gradX.resize(valid);
         gradY.resize(valid);
@@ -79,14 +81,7 @@ struct GBuffer {
         if (withScalar) scalar.resize(valid);
         if (withColors) colors.resize(valid);
     }
-    /// What the LIC stage reads alone.
-    void resizeFlow(const Extent& valid)
-    {
-        flow.resize(valid);
-        links.resize(valid);
-        allColumns();
-    }
-    /// The same. Rows that were there stay.
+    /// What the LIC stage reads alone. Rows that were there stay.
     void rollFlow(const Extent& valid)
     {
         flow.roll(valid, valid.y0);
@@ -96,6 +91,13 @@ struct GBuffer {
     const Extent& valid() const { return flow.valid(); }
     ColumnSpan& surfaceColumns(int y) { return surface[std::size_t(y - valid().y0)]; }
     const ColumnSpan& surfaceColumns(int y) const { return surface[std::size_t(y - valid().y0)]; }
+    /// Those of rows [y0, y1) together.
+    ColumnSpan surfaceColumns(int y0, int y1) const
+    {
+        ColumnSpan all;
+        for (int y = y0; y < y1; ++y) all = all.with(surfaceColumns(y));
+        return all;
+    }
 
 private:
     void allColumns() { surface.assign(std::size_t(std::max(valid().height(), 0)), {valid().x0, valid().x1}); }

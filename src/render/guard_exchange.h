@@ -49,10 +49,7 @@ struct GuardPart {
 /// Brings the rows that other ranks own to where a stripe's traces read them.
 class GuardExchange {
 public:
-    GuardExchange() = default;
     virtual ~GuardExchange() = default;
-    GuardExchange(const GuardExchange&) = delete;
-    GuardExchange& operator=(const GuardExchange&) = delete;
 
     /// Local. The rows around this rank's stripe that traces of so many steps may read.
     virtual GuardRows rows(int steps) const = 0;
@@ -79,10 +76,7 @@ public:
 /// Brings the rows beside a stripe that other ranks have finished.
 class RowExchange {
 public:
-    RowExchange() = default;
     virtual ~RowExchange() = default;
-    RowExchange(const RowExchange&) = delete;
-    RowExchange& operator=(const RowExchange&) = delete;
 
     /// Collective. Fills `rows` rows above and as many below this rank's stripe, in full width, from their owners, as
     /// far as the picture goes. `image` holds them and the stripe, which is right. Cost: a message to each neighbour.

@@ -160,10 +160,6 @@ void addColors(const ShadingOptions& shading, const ColorMap& map, bool hasWidth
     palette.lastEntry = float(colors.size() - 1);
 }
 
-}  // namespace
-
-namespace {
-
 ScalarColors tableOf(const ShadingOptions& shading, const std::array<double, 2>& dataRange, const ColorMap& map)
 {
     ScalarColors table;

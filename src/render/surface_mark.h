@@ -2,12 +2,10 @@
 
 #include "data/scene.h"
 
-namespace aeolic {
-
 /// What points of several surfaces carry for the projection stage, a small whole number: which kind of colours they
 /// have, what of theirs is not the field's, and whether streaks show. The G-buffer keeps the kind alone, by which a
 /// palette has its tables.
-namespace surface_mark {
+namespace aeolic::surface_mark {
 
 inline constexpr int kPlain = 0, kContext = 1;  ///< Kinds: a plain surface with streaks, and one without.
 inline constexpr int kFirstColors = 2;          ///< The scene's colours, in their order, from here on.
@@ -26,6 +24,4 @@ inline int of(const SceneSurface& surface)
     return (surface.streaks ? kPlain : kContext) + more;
 }
 
-}  // namespace surface_mark
-
-}  // namespace aeolic
+}  // namespace aeolic::surface_mark

@@ -59,9 +59,7 @@ struct Tile {
     void put(int x, int y, const std::array<std::uint8_t, 4>& color)
     {
         std::memcpy(row(y) + 4 * std::ptrdiff_t(x - extent.x0), color.data(), color.size());
-        ColumnSpan& columns = paintedIn(y);
-        columns =
-            columns.empty() ? ColumnSpan{x, x + 1} : ColumnSpan{std::min(columns.x0, x), std::max(columns.x1, x + 1)};
+        paintedIn(y) = paintedIn(y).with({x, x + 1});
     }
     ColumnSpan& paintedIn(int y) { return painted[std::size_t(y - extent.y0)]; }
     /// Rows [y0, y1) may hold anything.

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "stream/link/lost_peer.h"
 #include "stream/listen.h"
 
 namespace aeolic::stream {

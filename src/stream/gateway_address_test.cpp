@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stream/protocol_error.h"
+#include "stream/wire.h"
 
 namespace aeolic::stream {
 namespace {

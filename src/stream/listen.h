@@ -1,10 +1,17 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "stream/asio.h"
 
 namespace aeolic::stream {
+
+/// Rank and gateway take each other for gone after so long without a word. A quarter of it lies between two words.
+inline constexpr std::chrono::seconds kSilenceLimit{20};
+
+/// A viewer whose connection has taken no byte for so long, although there was one to send, is taken for gone.
+inline constexpr std::chrono::seconds kWriteLimit{30};
 
 /// Ports to listen on: the first free one of them. 0 to 0: any that is free.
 struct PortRange {

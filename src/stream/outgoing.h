@@ -3,6 +3,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "stream/message.h"
 
@@ -12,11 +13,28 @@ namespace aeolic::stream {
 /// shown a frame that it never read. It cannot have read frames that are still here. Not thread-safe.
 class Outgoing {
 public:
-    void push(WireMessage message);
+    void push(WireMessage message)
+    {
+        if (const auto frame = frameOf(*message))
+            ++messagesOfFrame_[*frame];
+        else
+            otherBytes_ += message->size();
+        messages_.push_back(std::move(message));
+    }
     bool empty() const { return messages_.empty(); }
     const WireMessage& front() const { return messages_.front(); }
     /// Removes the first message: it is in the socket.
-    void pop();
+    void pop()
+    {
+        const WireMessage message = std::move(messages_.front());
+        messages_.pop_front();
+        if (const auto frame = frameOf(*message)) {
+            const auto left = messagesOfFrame_.find(*frame);
+            if (--left->second == 0) messagesOfFrame_.erase(left);
+        } else {
+            otherBytes_ -= message->size();
+        }
+    }
 
     /// How many frames have messages here.
     int frames() const { return int(messagesOfFrame_.size()); }

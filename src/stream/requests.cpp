@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "aeolic/error.h"
 #include "base/text.h"
 #include "description/colormap.h"
-#include "description/scene_document.h"
 #include "description/scene_json.h"
 #include "description/surface_spec.h"
 #include "description/validate.h"
@@ -219,10 +219,11 @@ std::vector<bool> shownFrom(const Json& json)
 std::size_t placeFrom(const std::string& text)
 {
     constexpr std::size_t mostDigits = 3;
-    const bool isNumber = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c >= '0' && c <= '9'; });
-    if (text.empty() || text.size() > mostDigits || !isNumber)
+    std::size_t place = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), place);
+    if (error != std::errc() || end != text.data() + text.size() || text.size() > mostDigits)
         throw ProtocolError("cuts has a place that is not a number");
-    return std::stoul(text);
+    return place;
 }
 
 std::map<std::size_t, std::optional<std::string>> cutsFrom(const Json& json)

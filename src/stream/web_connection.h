@@ -5,7 +5,6 @@
 #include <string>
 
 #include "stream/asio.h"
-#include "stream/goodbye.h"
 #include "stream/http_request.h"
 #include "stream/message.h"
 

@@ -2,12 +2,18 @@
 
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
-#include "stream/protocol_error.h"
-
 namespace aeolic::stream {
+
+/// A message is damaged, hostile or of another version. One line, for logs: it holds nothing of the bytes
+/// themselves. Who sent them is not to be trusted further.
+class ProtocolError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
 
 using ByteVector = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;

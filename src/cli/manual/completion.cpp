@@ -3,18 +3,13 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "cli/manual/manual.h"
 #include "cli/manual/option_words.h"
+#include "cli/program.h"
 
 namespace aeolic::manual {
 namespace {
-
-std::vector<std::string> commandNames(const CLI::App& program)
-{
-    std::vector<std::string> names;
-    for (const CLI::App* command : commandsOf(program)) names.push_back(command->get_name());
-    return names;
-}
 
 std::vector<std::string> allNames(const CLI::App& command)
 {
@@ -62,7 +57,7 @@ std::string inBrackets(const std::string& text)
 std::string optionInZsh(const CLI::Option& option)
 {
     const std::vector<std::string> names = namesOf(option);
-    std::string about = oneLine(option.get_description());
+    std::string about = withSpaces(option.get_description());
     about = about.substr(0, about.find("; "));
     std::string value;
     if (takesValue(option)) {
@@ -112,7 +107,8 @@ std::string zshCompletion(const CLI::App& program)
     std::string text = fmt::format(
         "#compdef {0}\n# Completion of {0} for zsh. Made of its options.\n_{0}()\n{{\n    local -a commands=(\n", name);
     for (const CLI::App* command : commandsOf(program))
-        text += fmt::format("        '{}:{}'\n", command->get_name(), inBrackets(oneLine(command->get_description())));
+        text +=
+            fmt::format("        '{}:{}'\n", command->get_name(), inBrackets(withSpaces(command->get_description())));
     text +=
         "    )\n    if (( CURRENT == 2 )); then\n        _describe command commands\n        return\n    fi\n    case "
         "$words[2] in\n";

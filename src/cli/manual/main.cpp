@@ -6,7 +6,6 @@
 
 #include "cli/commands.h"
 #include "cli/manual/manual.h"
-#include "cli/manual/option_words.h"
 #include "version.h"
 
 /// Writes the manual pages and the completions of `aeolic` into a folder: the build runs it, and nobody else.
@@ -31,7 +30,7 @@ int main(int argc, char** argv)
         addProgramOptions(program);
         addCommands(program, nullptr);
         write(folder + "/" + manual::pageName(program) + ".1", manual::page(program, versionText));
-        for (const CLI::App* command : manual::commandsOf(program))
+        for (const CLI::App* command : commandsOf(program))
             write(folder + "/" + manual::pageName(*command) + ".1", manual::page(*command, versionText));
         write(folder + "/aeolic.bash", manual::bashCompletion(program));
         write(folder + "/_aeolic", manual::zshCompletion(program));

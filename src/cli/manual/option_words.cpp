@@ -7,14 +7,6 @@
 
 namespace aeolic::manual {
 
-std::vector<const CLI::App*> commandsOf(const CLI::App& program)
-{
-    std::vector<const CLI::App*> commands;
-    for (const CLI::App* command : program.get_subcommands({}))
-        if (!command->get_group().empty()) commands.push_back(command);
-    return commands;
-}
-
 std::vector<const CLI::Option*> namedOptions(const CLI::App& command)
 {
     std::vector<const CLI::Option*> options;
@@ -59,13 +51,6 @@ bool mayBeFile(const CLI::Option& option)
     constexpr std::array<const char*, 7> files{"FILE", "SURFACE", "FIELD", "OUT", "FOLDER", "SCENE", "NAME"};
     return std::any_of(files.begin(), files.end(),
                        [&](const char* word) { return text.find(word) != std::string::npos; });
-}
-
-std::string oneLine(const std::string& text)
-{
-    std::string line;
-    for (const char c : text) line += c == '\n' ? ' ' : c;
-    return line;
 }
 
 }  // namespace aeolic::manual

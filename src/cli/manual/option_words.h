@@ -7,9 +7,6 @@
 /// What manual pages and completions need of a command.
 namespace aeolic::manual {
 
-/// The commands that people type. Those without a group are not for people.
-std::vector<const CLI::App*> commandsOf(const CLI::App& program);
-
 /// The options that begin with '-'.
 std::vector<const CLI::Option*> namedOptions(const CLI::App& command);
 
@@ -24,8 +21,5 @@ std::vector<std::string> choicesOf(const CLI::Option& option);
 
 /// Whether a file's name may stand there: its value is not only a choice, and neither a number nor a colour.
 bool mayBeFile(const CLI::Option& option);
-
-/// The description in one line.
-std::string oneLine(const std::string& text);
 
 }  // namespace aeolic::manual

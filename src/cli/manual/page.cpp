@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "cli/manual/manual.h"
 #include "cli/manual/option_words.h"
+#include "cli/program.h"
 
 namespace aeolic::manual {
 namespace {
@@ -26,7 +28,7 @@ std::string escaped(const std::string& text)
 
 std::string headline(const CLI::App& command)
 {
-    std::string text = oneLine(command.get_description());
+    std::string text = withSpaces(command.get_description());
     return text.substr(0, text.find(": "));
 }
 
@@ -38,7 +40,7 @@ std::string optionEntry(const CLI::Option& option)
     if (takesValue(option)) names += " \\fI" + escaped(option.get_type_name()) + "\\fR";
     const std::string usual = option.get_default_str();
     return ".TP\n" + names + "\n" +
-           escaped(oneLine(option.get_description()) + (usual.empty() ? "" : " [" + usual + "]")) + "\n";
+           escaped(withSpaces(option.get_description()) + (usual.empty() ? "" : " [" + usual + "]")) + "\n";
 }
 
 /// Options by their headings, in the order of the help.
@@ -82,11 +84,11 @@ std::string page(const CLI::App& command, const std::string& version)
             const std::string name = "\\fI" + escaped(option->get_name(true)) + "\\fR";
             text += (option->get_required() ? name : "[" + name + "]") + "\n";
         }
-    text += fmt::format(".SH DESCRIPTION\n{}\n", escaped(oneLine(command.get_description())));
+    text += fmt::format(".SH DESCRIPTION\n{}\n", escaped(withSpaces(command.get_description())));
     if (!commands.empty()) text += ".SH COMMANDS\n";
     for (const CLI::App* one : commands)
-        text +=
-            fmt::format(".TP\n\\fB{}\\fR(1)\n{}\n", escaped(pageName(*one)), escaped(oneLine(one->get_description())));
+        text += fmt::format(".TP\n\\fB{}\\fR(1)\n{}\n", escaped(pageName(*one)),
+                            escaped(withSpaces(one->get_description())));
     text += ".SH OPTIONS\n" + options(command);
     text +=
         ".SH EXIT STATUS\n0: done. 1: failed. 2: the input or the command line is wrong; one line on standard error "

@@ -130,27 +130,13 @@ private:
     std::vector<double> speeds_;
 };
 
-/// Our own. It goes by the coverage of *this* frame, by what guards and empty rows cost, and by how fast each rank is
-/// known to be. It needs no temporal coherence, since a rank's speed does not depend on the view, and suits unequal
-/// nodes. It finds the best whole rows, unlike rounding an inverted histogram. Equal rows where nothing is covered.
-class HybridBalancer final : public Balancer {
-public:
-    std::string name() const override { return "hybrid"; }
-    bool needsCoverage() const override { return true; }
-
-    Stripes partition(const BalanceInput& input) const override
-    {
-        if (input.coverage.empty()) return equalStripes(input.height, input.ranks);
-        const BottleneckSearch search(input);
-        return search.nothingCovered() ? equalStripes(input.height, input.ranks) : search.best();
-    }
-};
-
 }  // namespace
 
-std::unique_ptr<Balancer> makeHybridBalancer()
+Stripes hybridStripes(const BalanceInput& input)
 {
-    return std::make_unique<HybridBalancer>();
+    if (input.coverage.empty()) return equalStripes(input.height, input.ranks);
+    const BottleneckSearch search(input);
+    return search.nothingCovered() ? equalStripes(input.height, input.ranks) : search.best();
 }
 
 }  // namespace aeolic

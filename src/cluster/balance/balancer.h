@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
 #include <vector>
 
 #include "aeolic/scene_description.h"
@@ -20,23 +18,18 @@ struct BalanceInput {
     StripeCosts costs;               ///< A stripe's costs beside its pixels.
 };
 
-/// Splits the image among the ranks so that all are busy equally long (bachthaler2006parallel, section 5.3). Keeps no
-/// state: equal input gives equal stripes.
-class Balancer {
-public:
-    virtual ~Balancer() = default;
-    virtual std::string name() const = 0;    ///< Its name on the command line.
-    virtual bool needsCoverage() const = 0;  ///< Somebody has to count this frame's pixels first.
-    virtual Stripes partition(
-        const BalanceInput& input) const = 0;  ///< Local. input.ranks stripes over input.height rows.
-};
+/// Whether somebody has to count this frame's pixels first.
+bool needsCoverage(Balance balance);
 
-std::unique_ptr<Balancer> makeStaticBalancer();
-std::unique_ptr<Balancer> makeTimingBalancer();
-std::unique_ptr<Balancer> makePixelsBalancer();
-std::unique_ptr<Balancer> makeHybridBalancer();
+/// Local. Splits the image among the ranks so that all are busy equally long (bachthaler2006parallel, section 5.3):
+/// input.ranks stripes over input.height rows. Equal input gives equal stripes.
+Stripes balancedStripes(Balance balance, const BalanceInput& input);
 
-std::unique_ptr<Balancer> makeBalancer(Balance balance);
+/// Balance::hybrid. Our own. It goes by the coverage of *this* frame, by what guards and empty rows cost, and by how
+/// fast each rank is known to be. It needs no temporal coherence, since a rank's speed does not depend on the view, and
+/// suits unequal nodes. It finds the best whole rows, unlike rounding an inverted histogram. Equal rows where nothing
+/// is covered.
+Stripes hybridStripes(const BalanceInput& input);
 
 /// Stripes of equal cost. Rows [edgeRow[i], edgeRow[i + 1]) of a picture cost cost[i] together, evenly spread. This is
 /// the accumulated histogram, inverted at equal intervals (figure 5) and rounded to whole rows. edgeRow ascends from 0

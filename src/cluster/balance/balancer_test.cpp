@@ -61,14 +61,13 @@ double balanceOf(const Stripes& stripes, const RowCoverage& truth, const std::ve
 
 class EveryBalancer : public ::testing::TestWithParam<std::string> {
 protected:
-    std::unique_ptr<Balancer> balancer = makeBalancer(*choiceNamed<Balance>(GetParam()));
+    Balance balance = *choiceNamed<Balance>(GetParam());
 };
 INSTANTIATE_TEST_SUITE_P(Names, EveryBalancer, ::testing::Values("static", "timing", "pixels", "hybrid"),
                          [](const auto& balancer) { return balancer.param; });
 
 TEST_P(EveryBalancer, PartitionsWhateverItIsGiven)
 {
-    EXPECT_EQ(balancer->name(), GetParam());
     std::mt19937 random(7);
     const auto below = [&](int n) { return int(random() % std::uint32_t(n)); };
     for (int trial = 0; trial < 400; ++trial) {
@@ -82,9 +81,9 @@ TEST_P(EveryBalancer, PartitionsWhateverItIsGiven)
         for (int r = 0; r < input.lastStripes.ranks(); ++r) input.lastBusyMs.push_back(below(3) * 0.7);
         for (int r = 0; r < input.ranks; ++r) input.speeds.push_back(below(8) * 0.3);
         input.costs = {below(200), below(11) * 0.1, below(3) * 7.7};
-        const Stripes stripes = balancer->partition(input);
+        const Stripes stripes = balancedStripes(balance, input);
         expectPartition(stripes, input);
-        EXPECT_EQ(stripes, balancer->partition(input));
+        EXPECT_EQ(stripes, balancedStripes(balance, input));
     }
 }
 
@@ -93,8 +92,8 @@ TEST_P(EveryBalancer, StartsWithoutHistory)
     BalanceInput input;
     input.height = 800;
     input.ranks = 8;
-    if (balancer->needsCoverage()) input.coverage = coarsened(teapotRows(800, 800), 5);
-    expectPartition(balancer->partition(input), input);
+    if (needsCoverage(balance)) input.coverage = coarsened(teapotRows(800, 800), 5);
+    expectPartition(balancedStripes(balance, input), input);
 }
 
 TEST_P(EveryBalancer, NothingCoveredAndNoTimeMeansEqualRows)
@@ -106,7 +105,7 @@ TEST_P(EveryBalancer, NothingCoveredAndNoTimeMeansEqualRows)
     input.lastStripes = {{0, 90, 91, 92, 93, 103}};
     input.lastBusyMs = {0, 0, 0, 0, 0};
     input.costs.row = 3;
-    EXPECT_EQ(balancer->partition(input), equalStripes(103, 5));
+    EXPECT_EQ(balancedStripes(balance, input), equalStripes(103, 5));
 }
 
 TEST_P(EveryBalancer, OneRankGetsEverything)
@@ -114,7 +113,7 @@ TEST_P(EveryBalancer, OneRankGetsEverything)
     BalanceInput input;
     input.height = 77;
     input.coverage = teapotRows(77, 77);
-    EXPECT_EQ(balancer->partition(input).firstRow, (std::vector<int>{0, 77}));
+    EXPECT_EQ(balancedStripes(balance, input).firstRow, (std::vector<int>{0, 77}));
 }
 
 TEST_P(EveryBalancer, AOneRowImageOnThirteenRanksIsDrawnByOne)
@@ -123,19 +122,19 @@ TEST_P(EveryBalancer, AOneRowImageOnThirteenRanksIsDrawnByOne)
     input.height = 1;
     input.ranks = 13;
     input.coverage = uniformRows(1, 40);
-    const Stripes stripes = balancer->partition(input);
+    const Stripes stripes = balancedStripes(balance, input);
     expectPartition(stripes, input);
     EXPECT_EQ(stripes.rows(stripes.ownerOf(0)), 1);
 }
 
 TEST(BalancerNames, AValueThatIsNoneIsRefused)
 {
-    EXPECT_THROW(makeBalancer(Balance(7)), std::logic_error);
+    EXPECT_THROW(balancedStripes(Balance(7), {}), std::logic_error);
 }
 
 class CountingBalancer : public ::testing::TestWithParam<std::string> {
 protected:
-    std::unique_ptr<Balancer> balancer = makeBalancer(*choiceNamed<Balance>(GetParam()));
+    Balance balance = *choiceNamed<Balance>(GetParam());
 };
 INSTANTIATE_TEST_SUITE_P(Names, CountingBalancer, ::testing::Values("pixels", "hybrid"),
                          [](const auto& balancer) { return balancer.param; });
@@ -147,9 +146,9 @@ TEST_P(CountingBalancer, AStepIsSplitWhereItsAreaIsHalf)
     input.ranks = 2;
     input.coverage = uniformRows(100, 0);
     for (std::size_t y = 60; y < 100; ++y) input.coverage.coveredPerRow[y] = 10;
-    EXPECT_EQ(balancer->partition(input).firstRow[1], 80);
+    EXPECT_EQ(balancedStripes(balance, input).firstRow[1], 80);
     for (std::size_t y = 0; y < 60; ++y) input.coverage.coveredPerRow[y] = 1;  // 60 pixels above, 400 below.
-    EXPECT_EQ(balancer->partition(input).firstRow[1], 77);
+    EXPECT_EQ(balancedStripes(balance, input).firstRow[1], 77);
 }
 
 TEST_P(CountingBalancer, AFifthOfTheResolutionIsEnoughForATeapot)
@@ -160,7 +159,7 @@ TEST_P(CountingBalancer, AFifthOfTheResolutionIsEnoughForATeapot)
         input.ranks = ranks;
         const RowCoverage truth = teapotRows(2160, 3840);
         input.coverage = coarsened(truth, 5);
-        EXPECT_GE(balanceOf(balancer->partition(input), truth), 0.9) << ranks;
+        EXPECT_GE(balanceOf(balancedStripes(balance, input), truth), 0.9) << ranks;
     }
 }
 
@@ -172,7 +171,7 @@ TEST_P(CountingBalancer, AHeightThatFiveDoesNotDivide)
     const RowCoverage truth = teapotRows(803, 800);
     input.coverage = coarsened(truth, 5);
     ASSERT_EQ(input.coverage.coveredPerRow.size(), 161U);
-    EXPECT_GE(balanceOf(balancer->partition(input), truth), 0.95);
+    EXPECT_GE(balanceOf(balancedStripes(balance, input), truth), 0.95);
 }
 
 TEST(PixelsBalancer, FollowsTheInvertedHistogram)
@@ -181,7 +180,7 @@ TEST(PixelsBalancer, FollowsTheInvertedHistogram)
     input.height = 20;
     input.ranks = 4;
     input.coverage = {20, 5, {0, 8, 4, 4}};  // Accumulated: 0, 8, 12, 16 of 16; intervals of 4.
-    EXPECT_EQ(makePixelsBalancer()->partition(input).firstRow, (std::vector<int>{0, 8, 10, 15, 20}));
+    EXPECT_EQ(balancedStripes(Balance::pixels, input).firstRow, (std::vector<int>{0, 8, 10, 15, 20}));
 }
 
 TEST(TimingBalancer, CostPerRowIsTheLastFramesTime)
@@ -191,7 +190,7 @@ TEST(TimingBalancer, CostPerRowIsTheLastFramesTime)
     input.ranks = 2;
     input.lastStripes = {{0, 50, 100}};
     input.lastBusyMs = {10, 30};  // 0.2 and 0.6 ms a row; half of 40 ms is reached 10 ms into the lower stripe: at 67.
-    EXPECT_EQ(makeTimingBalancer()->partition(input).firstRow[1], 59) << "half of the way";
+    EXPECT_EQ(balancedStripes(Balance::timing, input).firstRow[1], 59) << "half of the way";
 }
 
 TEST(TimingBalancer, TwoRanksOneTwiceAsFastEndUpAtTwoToOne)
@@ -202,7 +201,7 @@ TEST(TimingBalancer, TwoRanksOneTwiceAsFastEndUpAtTwoToOne)
     input.lastStripes = equalStripes(900, 2);
     for (int frame = 0; frame < 12; ++frame) {
         input.lastBusyMs = {double(input.lastStripes.rows(0)), 2.0 * input.lastStripes.rows(1)};
-        input.lastStripes = makeTimingBalancer()->partition(input);
+        input.lastStripes = balancedStripes(Balance::timing, input);
     }
     EXPECT_NEAR(input.lastStripes.firstRow[1], 600, 1);
 }
@@ -216,7 +215,7 @@ TEST(TimingBalancer, SettlesOnASteadyPicture)
         input.height = 800;
         input.ranks = ranks;
         for (int frame = 0; frame < 15; ++frame) {
-            input.lastStripes = makeTimingBalancer()->partition(input);
+            input.lastStripes = balancedStripes(Balance::timing, input);
             input.lastBusyMs.clear();
             for (int r = 0; r < ranks; ++r)
                 input.lastBusyMs.push_back(sums.pixels(input.lastStripes.firstRow[std::size_t(r)],
@@ -237,7 +236,7 @@ TEST(TimingBalancer, AnotherHeightOrGroupKeepsTheShape)
     input.ranks = 4;
     input.lastStripes = {{0, 80, 100}};
     input.lastBusyMs = {5, 5};
-    EXPECT_EQ(makeTimingBalancer()->partition(input).firstRow, (std::vector<int>{0, 80, 160, 180, 200}));
+    EXPECT_EQ(balancedStripes(Balance::timing, input).firstRow, (std::vector<int>{0, 80, 160, 180, 200}));
 }
 
 TEST(HybridBalancer, TwoRanksOneTwiceAsFastShareTwoToOne)
@@ -247,9 +246,9 @@ TEST(HybridBalancer, TwoRanksOneTwiceAsFastShareTwoToOne)
     input.ranks = 2;
     input.coverage = uniformRows(90, 100);
     input.speeds = {2, 1};
-    EXPECT_EQ(makeHybridBalancer()->partition(input).firstRow[1], 60);
+    EXPECT_EQ(balancedStripes(Balance::hybrid, input).firstRow[1], 60);
     input.speeds = {1, 2};
-    EXPECT_EQ(makeHybridBalancer()->partition(input).firstRow[1], 30);
+    EXPECT_EQ(balancedStripes(Balance::hybrid, input).firstRow[1], 30);
 }
 
 TEST(HybridBalancer, InnerStripesPayForTwoGuardsAndGetFewerRows)
@@ -259,7 +258,7 @@ TEST(HybridBalancer, InnerStripesPayForTwoGuardsAndGetFewerRows)
     input.ranks = 3;
     input.coverage = uniformRows(100, 10);
     input.costs = {10, 0.5, 0};  // A guard costs as much as 5 rows: 35 + 5 = 30 + 2 * 5.
-    const Stripes stripes = makeHybridBalancer()->partition(input);
+    const Stripes stripes = balancedStripes(Balance::hybrid, input);
     EXPECT_EQ(stripes.rows(1), 30);
     EXPECT_EQ(stripes.rows(0), 35);
 }
@@ -272,7 +271,7 @@ TEST(HybridBalancer, EmptyRowsAreNotFree)
     input.coverage = uniformRows(100, 0);
     for (std::size_t y = 0; y < 60; ++y) input.coverage.coveredPerRow[y] = 10;
     input.costs.row = 10;  // 20 a row above, 10 below: 1600 in all.
-    EXPECT_EQ(makeHybridBalancer()->partition(input).firstRow[1], 40);
+    EXPECT_EQ(balancedStripes(Balance::hybrid, input).firstRow[1], 40);
 }
 
 /// The same number of pixels: those in four pieces a row (a body, its handle, its spout) take longer than those in one.
@@ -284,7 +283,7 @@ TEST(HybridBalancer, RunsOfPixelsCost)
     input.coverage = uniformRows(100, 20);
     input.coverage.runsPerRow.assign(100, 1);
     for (std::size_t y = 0; y < 40; ++y) input.coverage.runsPerRow[y] = 4;
-    const auto firstOfSecond = [&] { return makeHybridBalancer()->partition(input).firstRow[1]; };
+    const auto firstOfSecond = [&] { return balancedStripes(Balance::hybrid, input).firstRow[1]; };
     EXPECT_EQ(firstOfSecond(), 50);
     input.costs.run = 10;  // 60 a row above, 30 below: 4200 in all.
     EXPECT_EQ(firstOfSecond(), 35);
@@ -314,7 +313,7 @@ TEST(HybridBalancer, FindsTheBestWholeRows)
         double best = slowest(0, 12);
         for (int a = 0; a <= 12; ++a)
             for (int b = a; b <= 12; ++b) best = std::min(best, slowest(a, b));
-        const Stripes found = makeHybridBalancer()->partition(input);
+        const Stripes found = balancedStripes(Balance::hybrid, input);
         EXPECT_NEAR(slowest(found.firstRow[1], found.firstRow[2]), best, 1e-6 * best) << trial;
     }
 }
@@ -330,7 +329,7 @@ TEST(HybridBalancer, RowsBesideOneThatDominatesAreSharedBySpeed)
         input.coverage = uniformRows(41, 1);
         input.coverage.coveredPerRow[heavy] = 60;  // Of 100 in all.
         input.speeds = std::move(speeds);
-        return makeHybridBalancer()->partition(input).firstRow;
+        return balancedStripes(Balance::hybrid, input).firstRow;
     };
     EXPECT_EQ(shared(0, {2, 1, 1}), (std::vector<int>{0, 1, 16, 41})) << "half, three quarters";
     EXPECT_EQ(shared(40, {1, 1, 2}), (std::vector<int>{0, 25, 40, 41})) << "a quarter, half";
@@ -348,7 +347,7 @@ TEST(HybridBalancer, UnequalNodesWithGuardsOnATeapot)
         input.coverage = coarsened(truth, 5);
         input.costs = {130, 0.05, 100};
         for (int r = 0; r < ranks; ++r) input.speeds.push_back(r % 3 == 0 ? 2.0 : 1.0);
-        EXPECT_GE(balanceOf(makeHybridBalancer()->partition(input), truth, input.speeds, input.costs), 0.9) << ranks;
+        EXPECT_GE(balanceOf(balancedStripes(Balance::hybrid, input), truth, input.speeds, input.costs), 0.9) << ranks;
     }
 }
 

@@ -1,4 +1,4 @@
-#include "cluster/composite/field_composite.h"
+#include "cluster/composite/composite.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "cluster/composite/surface_composite.h"
+#include "cluster/composite/composite.h"
 
 #include <gtest/gtest.h>
 

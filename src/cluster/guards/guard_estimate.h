@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include "cluster/balance/stripes.h"
-#include "cluster/guards/gather_row_flow.h"
+#include "base/extent.h"
+#include "render/guard_exchange.h"
+#include "render/lic/row_flow.h"
 
 namespace aeolic {
 

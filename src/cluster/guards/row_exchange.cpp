@@ -1,6 +1,8 @@
 #include "cluster/guards/row_exchange.h"
 
+#include <algorithm>
 #include <cstring>
+#include <stdexcept>
 #include <type_traits>
 
 namespace aeolic {
@@ -89,6 +91,17 @@ void allGatherRows(Communicator& communicator, const Stripes& stripes, std::span
     bytes.reserve(std::size_t(stripes.ranks()));
     for (int r = 0; r < stripes.ranks(); ++r) bytes.push_back(std::size_t(stripes.rows(r)) * bytesPerRow);
     communicator.allGatherInPlace(whole, bytes);
+}
+
+std::vector<RowFlow> gatherRowFlow(Communicator& communicator, const Stripes& stripes, const std::vector<RowFlow>& own)
+{
+    const int rank = communicator.rank();
+    if (int(own.size()) != stripes.rows(rank))
+        throw std::runtime_error("rank " + std::to_string(rank) + " has another stripe than it should");
+    std::vector<RowFlow> whole(std::size_t(stripes.height()));
+    std::copy(own.begin(), own.end(), whole.begin() + stripes.firstRow[std::size_t(rank)]);
+    allGatherRows(communicator, stripes, std::as_writable_bytes(std::span(whole)), sizeof(RowFlow));
+    return whole;
 }
 
 }  // namespace aeolic

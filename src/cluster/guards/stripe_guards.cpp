@@ -18,6 +18,15 @@ NearFlow wholeImage(const GuardPlan& needs)
     return {{0, 0, std::numeric_limits<std::uint16_t>::max(), height}, flow};
 }
 
+/// The rows that `user` reads of `owner`'s stripe: above its own or below, for ranks own rows in order.
+RowSpan rowsRead(const Stripes& stripes, int user, int owner, int rows)
+{
+    if (user == owner || stripes.rows(user) == 0) return {};
+    const Extent mine = stripes.extent(user, 1), theirs = stripes.extent(owner, 1);
+    const RowSpan side = owner < user ? RowSpan{mine.y0 - rows, mine.y0} : RowSpan{mine.y1, mine.y1 + rows};
+    return {std::max(side.y0, theirs.y0), std::min(side.y1, theirs.y1)};
+}
+
 }  // namespace
 
 StripeGuards::StripeGuards(Communicator& communicator, GuardPlan needs, Bytes& room)
@@ -61,6 +70,25 @@ void StripeGuards::receive(const std::vector<GuardPart>& parts)
     for (const GuardPlan::PartRows& part : all)
         for (int r = 0; r < ranks && !part.part->reached; ++r)
             for (const RowSpan& rows : needs_.shared(part, me, r)) clear(*part.part, rows);
+}
+
+void StripeNeighbours::receive(const ImageRows& image, int rows)
+{
+    const int me = communicator_.rank(), ranks = communicator_.size();
+    const std::vector<ImageRows> images{image};
+    const auto loadOf = [&](int user, int owner) {
+        const RowSpan read = rowsRead(stripes_, user, owner, rows);
+        std::vector<RowLoad> load;
+        if (read.y0 < read.y1) load.push_back({&images, {{image.valid.x0, read.y0, image.valid.x1, read.y1}}});
+        return load;
+    };
+    std::vector<std::vector<RowLoad>> toRank, fromRank;
+    for (int r = 0; r < ranks; ++r) {
+        toRank.push_back(loadOf(r, me));
+        fromRank.push_back(loadOf(me, r));
+    }
+    Bytes room;
+    exchangeRows(communicator_, toRank, fromRank, room);
 }
 
 }  // namespace aeolic

@@ -1,4 +1,4 @@
-#include "cluster/guards/stripe_neighbours.h"
+#include "cluster/guards/stripe_guards.h"
 
 #include <gtest/gtest.h>
 

@@ -174,7 +174,7 @@ double fillGrid(const GridField& grid, const Bounds& box, double time, float* sa
         }
         maxSquared[task] = largest;
     });
-    return std::sqrt(*std::max_element(maxSquared.begin(), maxSquared.end()));
+    return std::sqrt(*std::ranges::max_element(maxSquared));
 }
 
 template <class Flow>
@@ -200,8 +200,7 @@ static_assert(std::ranges::equal(flows, builtinFlowNames, {}, &NamedFlow::name))
 
 const NamedFlow& requireFlow(const std::string& spec)
 {
-    const auto found =
-        std::find_if(flows.begin(), flows.end(), [&](const NamedFlow& flow) { return nameInSpec(spec) == flow.name; });
+    const auto found = std::ranges::find(flows, nameInSpec(spec), &NamedFlow::name);
     if (found == flows.end()) throw InputError("--field", "'" + spec + "'", "abc, tornado, rotation, uniform or gyre");
     return *found;
 }

@@ -193,8 +193,7 @@ static_assert(std::ranges::equal(builtinSurfaces, builtinSurfaceNames, {}, &Buil
 
 const BuiltinSurface* findSurface(const std::string& spec)
 {
-    const auto found = std::find_if(builtinSurfaces.begin(), builtinSurfaces.end(),
-                                    [&](const BuiltinSurface& surface) { return nameInSpec(spec) == surface.name; });
+    const auto found = std::ranges::find(builtinSurfaces, nameInSpec(spec), &BuiltinSurface::name);
     return found == builtinSurfaces.end() ? nullptr : &*found;
 }
 

@@ -38,13 +38,11 @@ Value faceMean(Corners face, const Get& get)
 /// Whether the cell holds the point: `place` gets the tetrahedron that holds it best.
 bool within(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, CellPlace& place);
 
-/// Whether the cell's faces are no farther from the point than that: `place` gets the place on them nearest to it.
-bool touches(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, double farthest, CellPlace& place);
+/// The place on one face nearest to the point: all of CellPlace but the cell and the face. What is surely beyond
+/// `farthest` is not looked at; where nothing else is there, the distance is infinite.
+CellPlace nearestOnFace(const VolumeCells& cells, Corners face, const glm::dvec3& point, double farthest = kInfinity);
 
-/// The place on one face nearest to the point: all of CellPlace but the cell and the face.
-CellPlace nearestOnFace(const VolumeCells& cells, Corners face, const glm::dvec3& point);
-
-/// The place on the cell's faces nearest to the point.
-CellPlace nearestOn(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point);
+/// The place on the cell's faces nearest to the point; `farthest` as above.
+CellPlace nearestOn(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, double farthest = kInfinity);
 
 }  // namespace aeolic

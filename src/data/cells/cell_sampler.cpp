@@ -62,8 +62,8 @@ bool CellSampler::findAmong(std::span<const Ranked> cells, const glm::dvec3& poi
         if (within(*cells_, ranked.second, point, place)) return true;
     bool found = false;
     for (const Ranked& ranked : cells) {
-        CellPlace candidate;
-        if (!touches(*cells_, ranked.second, point, slackWorld_, candidate)) continue;
+        const CellPlace candidate = nearestOn(*cells_, ranked.second, point, slackWorld_);
+        if (!(candidate.distanceSquared <= slackWorld_ * slackWorld_)) continue;
         if (!found || candidate.distanceSquared < place.distanceSquared) place = candidate;
         found = true;
     }
@@ -82,8 +82,8 @@ bool CellSampler::findBest(const glm::dvec3& point, const glm::dvec3& towards, C
         [&](std::uint32_t cell) {
             ranks.emplace_back(!anySide && !isTowards(*cells_, cell, point, towards, slackWorld_), cell);
         });
-    std::sort(ranks.begin(), ranks.end());
-    const auto others = std::partition_point(ranks.begin(), ranks.end(), [](const Ranked& r) { return !r.first; });
+    std::ranges::sort(ranks);
+    const auto others = std::ranges::partition_point(ranks, [](const Ranked& r) { return !r.first; });
     return findAmong({ranks.begin(), others}, point, place) || findAmong({others, ranks.end()}, point, place);
 }
 

@@ -8,7 +8,7 @@
 namespace aeolic {
 
 /// Looks values up in a uniform grid that is whole in memory, trilinearly. (BrickSampler does so in one that is not.)
-class GridSampler final : public VolumeSampler {
+class GridSampler : public VolumeSampler {
 public:
     /// `scalars`: null where there is none.
     GridSampler(std::shared_ptr<const GridField> vectors, std::shared_ptr<const GridField> scalars);
@@ -19,17 +19,14 @@ public:
     double scalarAt(const CellPlace& place) const override;
     glm::dvec3 pointOf(const CellPlace& place) const override;
     double heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const override;
-    double meanDistanceOfCenters(const glm::dvec3&, const glm::dvec3&) const override
-    {
-        return 0;
-    }  // No means of cells.
-    double reachOfCenters(const glm::dvec3&, const glm::dvec3&) const override { return 0; }
     double widthOf(const CellPlace& place, const glm::dvec3& direction) const override;
     const Bounds& bounds() const override { return bounds_; }
     double maxVector() const override { return vectors_->maxMagnitude; }
 
-private:
+protected:
     std::shared_ptr<const GridField> vectors_, scalars_;
+
+private:
     Bounds bounds_;
 };
 

@@ -19,19 +19,18 @@ struct Common {
     bool twice = false;          // In one piece.
 };
 
-/// Calls visit(…) with all that a message holds.
-template <class Means, class Visit>
-void withMeansMembers(Means& means, const Visit& visit)
+}  // namespace
+
+template <PerhapsConst<PointMeans> Means, class Visit>
+void withMembers(Means& means, const Visit& visit)
 {
     visit(means.placesWorld, means.points, means.cells, means.dimensions, means.width, means.values);
 }
 
-}  // namespace
-
 Bytes messageOf(const PointMeans& means)
 {
     ByteWriter writer;
-    withMeansMembers(means, [&](const auto&... members) { writer.addAll(members...); });
+    writer.add(means);
     return writer.take();
 }
 
@@ -39,7 +38,7 @@ PointMeans meansOf(std::span<const std::byte> message)
 {
     PointMeans means;
     ByteReader reader(message);
-    withMeansMembers(means, [&](auto&... members) { reader.readAll(members...); });
+    reader.read(means);
     const std::size_t places = means.placesWorld.size();
     if (means.points.size() != places || means.cells.size() != places || means.dimensions.size() != places ||
         means.values.size() != places * means.width || !reader.atEnd())

@@ -33,7 +33,7 @@ void addNormals(std::vector<glm::vec3>& normals, const std::vector<glm::uvec2>& 
 void cutTriangle(const Triangle& t, const std::array<std::uint32_t, 3>& m, std::vector<Triangle>& parts)
 {
     constexpr std::uint32_t uncut = EdgeCuts::kUncut;
-    const auto cut = std::size_t(std::count_if(m.begin(), m.end(), [](std::uint32_t p) { return p != uncut; }));
+    const auto cut = std::size_t(std::ranges::count_if(m, [](std::uint32_t p) { return p != uncut; }));
     if (cut == 0) {
         parts.push_back(t);
         return;

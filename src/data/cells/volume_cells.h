@@ -34,6 +34,10 @@ struct VolumeCells {
     template <class Visit>
     void forEachFace(std::size_t cell, const Visit& visit) const;
 
+    /// Calls visit(i) for each place in `corners` that has a corner of the cell.
+    template <class Visit>
+    void forEachCorner(std::size_t cell, const Visit& visit) const;
+
     /// Around the corners of a cell.
     Bounds boxOf(std::size_t cell) const;
 };
@@ -77,6 +81,16 @@ void VolumeCells::forEachFace(std::size_t cell, const Visit& visit) const
         std::array<std::uint32_t, 4> ids{};
         for (std::size_t k = 0; k < face[0]; ++k) ids[k] = own[face[k + 1]];
         visit(std::span<const std::uint32_t>(ids.data(), face[0]));
+    }
+}
+
+template <class Visit>
+void VolumeCells::forEachCorner(std::size_t cell, const Visit& visit) const
+{
+    const bool isPolyhedron = shapes[cell] == Shape::polyhedron;
+    for (std::uint64_t i = first[cell]; i < first[cell + 1];) {
+        std::uint64_t count = isPolyhedron ? corners[i++] : first[cell + 1] - i;
+        for (; count > 0; --count) visit(i++);
     }
 }
 

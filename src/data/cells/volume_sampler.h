@@ -43,12 +43,20 @@ public:
     virtual double heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const = 0;
 
     /// The mean distance from the wall, at this point of it, of the centres of those cells whose values are averaged at
-    /// the point. 0 where the point is on no wall, that is, on no outer face of the volume. `towards`: the wall's
-    /// normal, into the volume.
-    virtual double meanDistanceOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const = 0;
+    /// the point. 0 where the point is on no wall, that is, on no outer face of the volume, and where no values are
+    /// means of cells. `towards`: the wall's normal, into the volume.
+    virtual double meanDistanceOfCenters([[maybe_unused]] const glm::dvec3& pointWorld,
+                                         [[maybe_unused]] const glm::dvec3& towards) const
+    {
+        return 0;
+    }
 
     /// How far from the point the wall faces lie, at most, that meanDistanceOfCenters() looks at.
-    virtual double reachOfCenters(const glm::dvec3& pointWorld, const glm::dvec3& towards) const = 0;
+    virtual double reachOfCenters([[maybe_unused]] const glm::dvec3& pointWorld,
+                                  [[maybe_unused]] const glm::dvec3& towards) const
+    {
+        return 0;
+    }
 
     /// How far the place's cell reaches along a direction of unit length.
     virtual double widthOf(const CellPlace& place, const glm::dvec3& direction) const = 0;

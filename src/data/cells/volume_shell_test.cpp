@@ -1,11 +1,10 @@
-#include "data/cells/volume_shell.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
 #include "base/byte_message.h"
+#include "data/cells/volume_message.h"
 #include "data/cells/volume_testing.h"
 
 namespace aeolic {

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <initializer_list>
+#include <limits>
 #include <memory>
 
 #include "data/cells/cell_sampler.h"
+#include "data/cells/near_surface.h"
 #include "data/cells/volume_cells.h"
 
 /// Small volumes for tests.
@@ -86,6 +88,40 @@ inline glm::dvec3 unitBox(double x, double y, double z)
 inline glm::dvec3 linearFlow(double x, double y, double z)
 {
     return {1 + x - 2 * y, 3 * z - x, 0.5 + y + z};
+}
+
+/// The cells of a volume that are near a surface, with their points alone: all that a CellSampler can find at places
+/// within the surface's reach. A cell is near where its middle is no farther from a triangle than the triangle's reach
+/// and the cell's own diagonal. In the order of the volume.
+inline VolumeCells shellOf(const VolumeCells& cells, const NearSurface& surface)
+{
+    VolumeCells shell;
+    shell.name = cells.name;
+    shell.maxVector = cells.maxVector;
+    shell.meansOfCells = cells.meansOfCells;
+    shell.first.push_back(0);
+    constexpr std::uint32_t kNotTaken = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> ids(cells.points.size(), kNotTaken);
+    for (std::size_t cell = 0; cell < cells.count(); ++cell) {
+        const Bounds box = cells.boxOf(cell);
+        if (!surface.isNear(box.center(), box.diagonal())) continue;
+        const std::size_t before = shell.corners.size();
+        shell.corners.insert(shell.corners.end(), cells.corners.begin() + std::ptrdiff_t(cells.first[cell]),
+                             cells.corners.begin() + std::ptrdiff_t(cells.first[cell + 1]));
+        cells.forEachCorner(cell, [&](std::uint64_t i) {
+            const std::uint32_t point = cells.corners[i];
+            if (ids[point] == kNotTaken) {
+                ids[point] = std::uint32_t(shell.points.size());
+                shell.points.push_back(cells.points[point]);
+                shell.vectors.push_back(cells.vectors[point]);
+                if (!cells.scalars.empty()) shell.scalars.push_back(cells.scalars[point]);
+            }
+            shell.corners[before + std::size_t(i - cells.first[cell])] = ids[point];
+        });
+        shell.shapes.push_back(cells.shapes[cell]);
+        shell.first.push_back(shell.corners.size());
+    }
+    return shell;
 }
 
 }  // namespace aeolic::testing_volumes

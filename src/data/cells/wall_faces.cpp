@@ -35,7 +35,7 @@ void WallFaces::addFaces(std::uint32_t cell, const glm::dvec3* corner, Faces& fo
     const std::size_t before = found.faces.size();
     cells_.forEachFace(cell, [&](Corners face) {
         const auto isThere = [&](std::uint32_t id) { return cells_.points[id] == *corner; };
-        if (corner && std::none_of(face.begin(), face.end(), isThere)) return;
+        if (corner && std::ranges::none_of(face, isThere)) return;
         std::uint64_t key = 0;  // A sum: it does not depend on where a face begins, and which way it goes around.
         for (const std::uint32_t id : face) key += keyOf(cells_.points[id]);
         found.faces.push_back({key, cell, std::uint32_t(found.corners.size()), std::uint32_t(face.size())});
@@ -47,7 +47,7 @@ void WallFaces::addFaces(std::uint32_t cell, const glm::dvec3* corner, Faces& fo
 void WallFaces::keepOuter(Faces& found)
 {
     std::vector<Face>& faces = found.faces;
-    std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+    std::ranges::sort(faces, [](const Face& a, const Face& b) {
         return std::tie(a.key, a.owner, a.first) < std::tie(b.key, b.owner, b.first);
     });
     std::size_t kept = 0;
@@ -116,7 +116,7 @@ double WallFaces::meanAtCorner(std::uint32_t corner, const glm::dvec3& towards) 
         place, [] { return 0.0; }, [&](std::uint32_t cell) { addFaces(cell, &place, meeting); });
     keepOuter(meeting);
     if (meeting.faces.empty()) return 0;
-    std::sort(meeting.cells.begin(), meeting.cells.end());  // The sum's order must not depend on the tree.
+    std::ranges::sort(meeting.cells);  // The sum's order must not depend on the tree.
     double sum = 0;
     for (const std::uint32_t cell : meeting.cells) sum += distanceOf(cell, meeting, towards);
     return sum / double(meeting.cells.size());

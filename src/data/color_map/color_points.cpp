@@ -29,7 +29,7 @@ ColorSpace colorSpaceNamed(const std::string& where, const std::string& name)
     static const std::vector<std::string> names{"RGB", "HSV", "Wrapped", "Lab", "CIELAB", "Diverging"};
     constexpr ColorSpace spaces[] = {ColorSpace::rgb, ColorSpace::hsv, ColorSpace::hsvWrapped,
                                      ColorSpace::lab, ColorSpace::lab, ColorSpace::diverging};
-    const auto found = std::find(names.begin(), names.end(), name);
+    const auto found = std::ranges::find(names, name);
     if (found == names.end())
         throw InputError(where, "found " + inQuotes(name),
                          fmt::format("one of {}", fmt::join(names, ", ")) + didYouMean(name, names));
@@ -51,7 +51,7 @@ ColorMap colorMapOf(ColorPoints map, const std::string& path)
 {
     requireSound(map, path);
     auto& points = map.points;
-    std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.place < b.place; });
+    std::ranges::stable_sort(points, {}, &ColorPoints::Point::place);
     if (points.empty() || !(points.front().place < points.back().place))
         throw InputError(
             path,

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/byte_message.h"
 #include "description/colormap.h"
 
 namespace aeolic {
@@ -21,6 +22,12 @@ struct ColorPoints {
     ColorSpace space = ColorSpace::rgb;
     std::optional<Color> nan, below, above;
 };
+
+template <PerhapsConst<ColorPoints> Points, class Visit>
+void withMembers(Points& points, const Visit& visit)
+{
+    visit(points.points, points.space, points.nan, points.below, points.above);
+}
 
 /// ParaView's name of a space ("RGB", "HSV", "Wrapped", "Lab", "CIELAB", "Diverging"). Throws InputError, with `where`
 /// in front, for another.

@@ -20,19 +20,11 @@ FieldFacts unitedFacts(const Grids& own, Agreement& agreement)
     Bytes message;
     agreement.together([&] {
         if (own.empty()) return;
-        const GridFile& first = *own.front();
-        FieldFacts facts;
-        facts.hasScalar = first.hasScalar();
-        facts.ofVectors = first.partOfVectors();
-        facts.scalarName = first.scalarLabel();
-        facts.vectorsName = first.vectorsName();
-        facts.arrays = first.arrays();
-        facts.offered = first.offered();
-        facts.timeSteps = first.timeSteps();
+        FieldFacts facts = own.front()->facts();
         for (const auto& piece : own)
             for (const Tally& tally : piece->tallies()) addTally(facts.tallies, tally);
         ByteWriter writer;
-        addFacts(writer, facts);
+        writer.add(facts);
         message = writer.take();
     });
     FieldFacts all;
@@ -40,7 +32,8 @@ FieldFacts unitedFacts(const Grids& own, Agreement& agreement)
     for (const Bytes& some : agreement.gatherAll(std::move(message))) {
         if (some.empty()) continue;
         ByteReader reader(some);
-        FieldFacts facts = readFacts(reader);
+        FieldFacts facts;
+        reader.read(facts);
         if (std::exchange(found, true))
             for (const Tally& tally : facts.tallies) addTally(all.tallies, tally);
         else
@@ -148,7 +141,7 @@ FieldStep StepReader::unitePieces(const FieldStep& read, Agreement& agreement) c
     static_cast<FieldFacts&>(step) = unitedFacts(own, agreement);
     step.name = read.name;
     const auto isEmpty = [](const auto& piece) { return piece->empty(); };
-    const bool empty = agreement.all(std::all_of(own.begin(), own.end(), isEmpty));
+    const bool empty = agreement.all(std::ranges::all_of(own, isEmpty));
     agreement.together([&] {
         if (empty) throw InputError(step.name, "no cells in any of its pieces", "a grid with cells");
         nameShear(step);
@@ -170,7 +163,7 @@ FieldStep StepReader::unitePieces(const FieldStep& read, Agreement& agreement) c
     if (!looksUp) return step;
     std::vector<std::shared_ptr<const CellVolume>> cells;
     const auto hasCells = [](const auto& piece) { return piece->hasCells(); };
-    const bool flat = !agreement.any(std::any_of(own.begin(), own.end(), hasCells));
+    const bool flat = !agreement.any(std::ranges::any_of(own, hasCells));
     agreement.readTogether([&] {
         for (const auto& piece : own)
             if (flat || piece->hasCells()) cells.push_back(piece->takeCells());

@@ -58,7 +58,7 @@ std::string table(const std::vector<Row>& rows, const std::vector<bool>& right)
 }
 
 /// A series' number of files and their size together, or one file's size.
-std::string sizeText(const std::string& path, const TimeSeries* series)
+std::string sizeText(const std::string& path, const std::optional<TimeSeries>& series)
 {
     std::error_code ignored;
     if (!series) return bytesText(std::filesystem::file_size(path, ignored));
@@ -72,7 +72,7 @@ std::string sizeText(const std::string& path, const TimeSeries* series)
     return fmt::format("{} in {}", bytesText(bytes), count == 1 ? "1 file" : fmt::format("{} files", count));
 }
 
-std::string headLines(const std::string& path, const FileSummary& summary, const TimeSeries* series)
+std::string headLines(const std::string& path, const FileSummary& summary, const std::optional<TimeSeries>& series)
 {
     std::string text = fmt::format("{}: {}{}{}\n\n", path, series ? "a series of " : "", summary.kind,
                                    summary.namesFiles ? "" : ", " + sizeText(path, series));
@@ -95,8 +95,7 @@ std::string headLines(const std::string& path, const FileSummary& summary, const
 std::string partLines(const FileSummary& summary)
 {
     if (summary.parts.empty()) return "";
-    const bool cells = std::any_of(summary.parts.begin(), summary.parts.end(),
-                                   [](const PartSummary& part) { return part.fillsSpace; });
+    const bool cells = std::ranges::any_of(summary.parts, [](const PartSummary& part) { return part.fillsSpace; });
     std::vector<Row> rows{{"part", "type", cells ? "cells" : "faces", "groups"}};
     for (const PartSummary& part : summary.parts)
         rows.push_back({part.name, part.type, grouped(part.polygons), fmt::format("{}", fmt::join(part.groups, ", "))});
@@ -198,17 +197,12 @@ FileInfo fileInfo(const std::string& path)
 {
     refuseBuiltin(path);
     const KeptReaders readers;
-    if (!namesSeries(path)) {
-        FileSummary summary = summarizeFile(path);
-        std::string text =
-            headLines(path, summary, nullptr) + partLines(summary) + boundsLines(summary) + arrayLines(summary);
-        return withSuggestions(path, std::move(summary), std::move(text));
-    }
-    const TimeSeries series = readTimeSeries(path);
-    FileSummary summary = summarizeFile(series.steps.front().path);
-    summary.timeSteps = series.times;
-    std::string text =
-        headLines(path, summary, &series) + stepLines(series) + boundsLines(summary) + arrayLines(summary);
+    std::optional<TimeSeries> series;
+    if (namesSeries(path)) series = readTimeSeries(path);
+    FileSummary summary = summarizeFile(series ? series->steps.front().path : path);
+    if (series) summary.timeSteps = series->times;
+    std::string text = headLines(path, summary, series) + (series ? stepLines(*series) : partLines(summary)) +
+                       boundsLines(summary) + arrayLines(summary);
     return withSuggestions(path, std::move(summary), std::move(text));
 }
 

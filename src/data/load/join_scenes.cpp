@@ -14,12 +14,8 @@ namespace {
 
 void addNew(ArrayChoices& all, const ArrayChoices& more)
 {
-    for (const ArrayChoice& array : more) {
-        const auto same = [&](const ArrayChoice& a) {
-            return a.name == array.name && a.components == array.components;
-        };
-        if (std::none_of(all.begin(), all.end(), same)) all.push_back(array);
-    }
+    for (const ArrayChoice& array : more)
+        if (std::ranges::find(all, array) == all.end()) all.push_back(array);
 }
 
 /// The place among the scene's colours of those that the surface has.
@@ -36,7 +32,7 @@ int colorsOf(const SurfacePart& part, std::vector<SceneColors>& all)
         return c.name == colors.name && c.shownRange == colors.shownRange && c.colorMap == colors.colorMap &&
                c.legend == colors.legend;
     };
-    const auto known = std::find_if(all.begin(), all.end(), same);
+    const auto known = std::ranges::find_if(all, same);
     if (known != all.end()) return int(known - all.begin());
     all.push_back(std::move(colors));
     return int(all.size()) - 1;
@@ -127,17 +123,12 @@ Scene joinedScene(const SurfaceParts& parts, const SceneDescription& description
     return joined;
 }
 
-PartRanges rangesOf(const Scene& part)
-{
-    return {part.scalarRange, part.robustRange, part.scalarRangeKnown, part.maxVector, part.maxTangential};
-}
-
-void uniteRanges(const std::vector<PartRanges>& ranges, Scene& joined)
+void uniteRanges(const std::vector<SceneRanges>& ranges, Scene& joined)
 {
     const auto isShown = [](const SceneSurface& surface) { return surface.shown; };
     /// Those that count: of those that are meant the ones that are shown, or, where none is, all of them.
     const auto counted = [&](const auto& isMeant) {
-        std::vector<const PartRanges*> shown, all;
+        std::vector<const SceneRanges*> shown, all;
         for (std::size_t i = 0; i < joined.surfaces.size(); ++i) {
             if (!isMeant(joined.surfaces[i])) continue;
             all.push_back(&ranges[i]);
@@ -146,28 +137,29 @@ void uniteRanges(const std::vector<PartRanges>& ranges, Scene& joined)
         return shown.empty() ? all : shown;
     };
     joined.maxVector = joined.maxTangential = 0;
-    for (const PartRanges* own : counted([](const SceneSurface& surface) { return surface.streaks; })) {
-        joined.maxVector = std::max(joined.maxVector, own->longestVector);
-        joined.maxTangential = std::max(joined.maxTangential, own->longestTangential);
+    for (const SceneRanges* own : counted([](const SceneSurface& surface) { return surface.streaks; })) {
+        joined.maxVector = std::max(joined.maxVector, own->maxVector);
+        joined.maxTangential = std::max(joined.maxTangential, own->maxTangential);
     }
     const SceneColors* told = nullptr;
     for (std::size_t c = 0; c < joined.colors.size(); ++c) {
         SceneColors& colors = joined.colors[c];
         const auto has = [&](const SceneSurface& surface) { return surface.colors == int(c); };
         colors.rangeKnown = false;
-        for (const PartRanges* own : counted(has)) {
-            if (!own->scalarKnown) continue;
+        for (const SceneRanges* own : counted(has)) {
+            if (!own->scalarRangeKnown) continue;
             if (!colors.rangeKnown) {
-                colors.range = own->scalar;
-                colors.robustRange = own->robust;
+                colors.range = own->scalarRange;
+                colors.robustRange = own->robustRange;
             }
-            colors.range = {std::min(colors.range[0], own->scalar[0]), std::max(colors.range[1], own->scalar[1])};
-            colors.robustRange = {std::min(colors.robustRange[0], own->robust[0]),
-                                  std::max(colors.robustRange[1], own->robust[1])};
+            colors.range = {std::min(colors.range[0], own->scalarRange[0]),
+                            std::max(colors.range[1], own->scalarRange[1])};
+            colors.robustRange = {std::min(colors.robustRange[0], own->robustRange[0]),
+                                  std::max(colors.robustRange[1], own->robustRange[1])};
             colors.rangeKnown = true;
         }
         const auto isSeen = [&](const SceneSurface& surface) { return isShown(surface) && has(surface); };
-        if (!told && std::any_of(joined.surfaces.begin(), joined.surfaces.end(), isSeen)) told = &colors;
+        if (!told && std::ranges::any_of(joined.surfaces, isSeen)) told = &colors;
     }
     if (joined.colors.empty()) return;
     const SceneColors& first = told ? *told : joined.colors.front();

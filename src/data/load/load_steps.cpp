@@ -6,9 +6,8 @@
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
 #include "data/builtin/flows.h"
-#include "data/field_component.h"
+#include "data/field_copies.h"
 #include "data/field_tiles.h"
-#include "data/half_field.h"
 #include "data/named_file.h"
 #include "data/reading/file_questions.h"
 #include "data/vtk/grid/grid_file.h"
@@ -94,8 +93,7 @@ void StepReader::chooseFirstSteps()
         if (track.times.size() < 2 || track.anyMoment || !namedKindHas(track.series.steps.front().path, kNamesFiles))
             return;
         const std::vector<double> times = timesOfCase(track.series.steps.front().path, arrays);
-        const auto first =
-            times.empty() ? track.times.end() : std::find(track.times.begin(), track.times.end(), times.front());
+        const auto first = times.empty() ? track.times.end() : std::ranges::find(track.times, times.front());
         if (first != track.times.end()) track.firstStep = std::size_t(first - track.times.begin());
     };
     std::vector<std::string> ofField{fieldVectors.name, fieldColors()};
@@ -258,14 +256,7 @@ void StepReader::requireNoShear(std::size_t index) const
 FieldStep StepReader::fieldStep(GridFile& grid, const std::string& path, const ProgressReport& progress) const
 {
     FieldStep step;
-    step.name = path;
-    step.arrays = grid.arrays();
-    step.offered = grid.offered();
-    step.timeSteps = grid.timeSteps();
-    step.hasScalar = grid.hasScalar();
-    step.ofVectors = grid.partOfVectors();
-    step.scalarName = grid.scalarLabel();
-    step.vectorsName = grid.vectorsName();
+    static_cast<FieldFacts&>(step) = grid.facts();
     nameShear(step);
     requireColors(step);
 

@@ -144,8 +144,7 @@ void LoadedScene::State::complete(const Moment& moment)
 
 bool LoadedScene::State::samplesPixels() const
 {
-    return std::any_of(parts.begin(), parts.end(),
-                       [](const auto& part) { return part->samplesVectors() || part->samplesScalar(); });
+    return std::ranges::any_of(parts, [](const auto& part) { return part->samplesVectors() || part->samplesScalar(); });
 }
 
 /// First come all calls that may fail. Then the shown data change.
@@ -187,12 +186,13 @@ void LoadedScene::State::showField(const Around& around)
     field = {vectorsBetween, first.scalar ? scalarBetween : nullptr};
 }
 
-SceneChange LoadedScene::State::setShown(const std::vector<bool>& others)
+SceneChange LoadedScene::setShown(const std::vector<bool>& shown)
 {
-    if (parts.size() == 1 || others == visible) return {};
-    visible = others;
-    joinSurfaces();
-    uniteRanges(measured, joined);
+    State& s = *state_;
+    if (s.parts.size() == 1 || shown == s.visible) return {};
+    s.visible = shown;
+    s.joinSurfaces();
+    uniteRanges(s.measured, s.joined);
     return {true, true, false};
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
+#include "base/append.h"
 #include "data/fingerprint.h"
 #include "data/load/ask_once.h"
 #include "data/load/join_scenes.h"
@@ -64,11 +65,11 @@ bool LoadedScene::State::measureFirst(const ProgressReport& progress)
     const auto isAtRest = [](const auto& part) { return atRest(part->scene); };
     const auto flows = [](const auto& part) { return part->source().item.streaks && part->scene.maxVector > 0; };
     bool rests = false;
-    if (moves() && std::all_of(parts.begin(), parts.end(), isAtRest)) {
-        rests = std::none_of(parts.begin(), parts.end(), flows);
+    if (moves() && std::ranges::all_of(parts, isAtRest)) {
+        rests = std::ranges::none_of(parts, flows);
         moveTo(times.back(), progress);
         measureAll();
-        rests = rests && std::any_of(parts.begin(), parts.end(), flows);
+        rests = rests && std::ranges::any_of(parts, flows);
     }
     return rests;
 }
@@ -127,8 +128,7 @@ void LoadedScene::State::takeFirstField(const std::shared_ptr<const FieldStep>& 
         if (sources.field.moves()) context.fields.put(sources.field.firstKey(), step);
         for (const auto& part : parts) part->takeFirstField(*step);
         keepTallies(*step);
-        std::vector<Tally>& tallies = parts.front()->scene.tallies;
-        tallies.insert(tallies.end(), fieldTallies.begin(), fieldTallies.end());
+        appendAll(parts.front()->scene.tallies, fieldTallies);
         field = {step->vectors, step->scalar};
     }
     for (const auto& part : parts)
@@ -170,7 +170,7 @@ void LoadedScene::State::measureAll()
     measured.clear();
     for (const auto& part : parts) {
         part->measureScene();
-        measured.push_back(rangesOf(part->scene));
+        measured.emplace_back(static_cast<const SceneRanges&>(part->scene));
     }
     if (parts.size() > 1) uniteRanges(measured, joined);
 }
@@ -190,8 +190,7 @@ void LoadedScene::State::takeWarnings(const std::vector<std::int64_t>& areas)
 void LoadedScene::State::joinWarnings()
 {
     std::vector<std::string> warnings = joined.warnings;
-    for (const auto& part : parts)
-        warnings.insert(warnings.end(), part->scene.warnings.begin(), part->scene.warnings.end());
+    for (const auto& part : parts) appendAll(warnings, part->scene.warnings);
     joined.warnings = distinctTexts(warnings);
 }
 
@@ -210,8 +209,6 @@ LoadedScene::LoadedScene(const SceneDescription& description, const Split& split
 }
 
 LoadedScene::~LoadedScene() = default;
-LoadedScene::LoadedScene(LoadedScene&&) noexcept = default;
-LoadedScene& LoadedScene::operator=(LoadedScene&&) noexcept = default;
 
 const Scene& LoadedScene::scene() const
 {
@@ -221,11 +218,6 @@ const Scene& LoadedScene::scene() const
 SceneChange LoadedScene::moveTo(double moment, const ProgressReport& progress)
 {
     return state_->moveTo(moment, progress);
-}
-
-SceneChange LoadedScene::setShown(const std::vector<bool>& shown)
-{
-    return state_->setShown(shown);
 }
 
 const std::vector<double>& LoadedScene::times() const

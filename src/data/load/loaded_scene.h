@@ -31,8 +31,6 @@ public:
     LoadedScene(const SceneDescription& description, const Split& split, Agreement& agreement,
                 const ProgressReport& progress = {}, const Data& memory = {});
     ~LoadedScene();
-    LoadedScene(LoadedScene&&) noexcept;
-    LoadedScene& operator=(LoadedScene&&) noexcept;
 
     /// Local. It stays where it is in memory. Camera fit, noise and the boxes of built-in flows go by the first moment
     /// of all.

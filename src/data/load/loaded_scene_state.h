@@ -24,9 +24,6 @@ struct LoadedScene::State {
     /// Collective. Other data in memory at that moment.
     SceneChange replace(const Data& memory, double moment, const ProgressReport& progress);
 
-    /// Local. Other surfaces are drawn, of those that are loaded.
-    SceneChange setShown(const std::vector<bool>& shown);
-
     // The first moment: surfaces and field are read, surfaces are looked up in the field, all is measured.
     std::shared_ptr<const FieldStep> readSources(const ProgressReport& progress);  // Collective.
     std::shared_ptr<const FieldStep> readFirstField(const ProgressReport&);        // Collective.
@@ -67,10 +64,10 @@ struct LoadedScene::State {
     SceneSources& sources = context.sources;
     const SceneDescription& description = context.description;
     std::vector<std::unique_ptr<SurfacePart>> parts;
-    std::vector<bool> visible;         ///< [surfaces] Which are drawn.
-    std::vector<PartRanges> measured;  ///< [surfaces] By the first moment, so that nothing jumps.
-    StartFolder folder;                ///< Where the files of all moments are.
-    Scene joined;                      ///< Of several surfaces.
+    std::vector<bool> visible;          ///< [surfaces] Which are drawn.
+    std::vector<SceneRanges> measured;  ///< [surfaces] By the first moment, so that nothing jumps.
+    StartFolder folder;                 ///< Where the files of all moments are.
+    Scene joined;                       ///< Of several surfaces.
     std::vector<double> times;
     std::optional<Moment> shown;  ///< Nothing where going to a moment failed half-way.
 

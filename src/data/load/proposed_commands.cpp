@@ -26,7 +26,7 @@ std::string shellWord(const std::string& text)
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                std::string("._-/+:,=@").find(c) != std::string::npos;
     };
-    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    if (!text.empty() && std::ranges::all_of(text, plain)) return text;
     std::string quoted = "'";
     for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return quoted + "'";
@@ -88,7 +88,7 @@ std::string middleSlice(const Bounds& b, std::optional<int> sideAcross = {})
 std::string ownSurface(const FileSummary& summary)
 {
     const auto& dims = summary.dims;
-    return summary.spacingWorld && dims && std::count(dims->begin(), dims->end(), 1) == 1 ? "image" : "boundary";
+    return summary.spacingWorld && dims && std::ranges::count(*dims, 1) == 1 ? "image" : "boundary";
 }
 
 /// Walls are drawn where no part is named; a case may have none. The first command is the one to try at other times.
@@ -96,24 +96,24 @@ std::vector<std::string> caseCommands(const std::string& path, const FileSummary
                                       const std::string& scalar)
 {
     const std::string flow = vectors.empty() ? " --field abc" : vectors + scalar;
-    const bool hasU = std::any_of(summary.arrays.begin(), summary.arrays.end(),
-                                  [&](const ArraySummary& a) { return a.name == "U" && isAtFirstTime(a, summary); });
+    const bool hasU = std::ranges::any_of(
+        summary.arrays, [&](const ArraySummary& a) { return a.name == "U" && isAtFirstTime(a, summary); });
     // The cells of regions are not read.
-    const bool hasCells = std::any_of(summary.parts.begin(), summary.parts.end(),
-                                      [](const PartSummary& part) { return part.name.find('/') == std::string::npos; });
+    const bool hasCells = std::ranges::any_of(
+        summary.parts, [](const PartSummary& part) { return part.name.find('/') == std::string::npos; });
     const bool beside =
         vectors == " --vectors U" && hasCells;  // On walls it is zero, so that of the cells beside them.
     const auto isWall = [](const PartSummary& part) { return part.type == "wall"; };
     // The sides of a case in two dimensions, or around an axis: all of its flow, while its walls are seen from the
     // edge.
-    const auto side = std::find_if(summary.parts.begin(), summary.parts.end(),
-                                   [](const PartSummary& part) { return part.sideAcross.has_value(); });
+    const auto side =
+        std::ranges::find_if(summary.parts, [](const PartSummary& part) { return part.sideAcross.has_value(); });
     const bool hasSide = side != summary.parts.end();
     std::vector<std::string> commands;
     if (hasU && hasSide)
         commands.push_back("--surface " + shellWord(path + ":" + side->name) + " --vectors U" + scalar +
                            straightView(*side->sideAcross));
-    if (std::any_of(summary.parts.begin(), summary.parts.end(), isWall))
+    if (std::ranges::any_of(summary.parts, isWall))
         commands.push_back("--surface " + shellWord(path) + (beside ? " --field " + shellWord(path) : "") + flow);
     for (const PartSummary& part : summary.parts)
         if (part.polygons > 0 && !isWall(part) && !(hasU && part.isSide()) && commands.size() < 2)
@@ -135,10 +135,10 @@ std::vector<std::string> partCommands(const std::string& path, const FileSummary
         return !part.fillsSpace && part.polygons > 0 && part.usual;
     };
     const auto has = [&](const PartSummary& part) {
-        return std::find(part.vectors.begin(), part.vectors.end(), name) != part.vectors.end();
+        return std::ranges::find(part.vectors, name) != part.vectors.end();
     };
     const auto firstWhere = [&](const auto& holds) {
-        const auto at = std::find_if(summary.parts.begin(), summary.parts.end(), holds);
+        const auto at = std::ranges::find_if(summary.parts, holds);
         return at == summary.parts.end() ? nullptr : &*at;
     };
     Bounds volume;
@@ -169,7 +169,7 @@ constexpr std::array<std::string_view, 6> kColours{"p", "pressure", "cp", "p_rgh
 /// The place of a name in such a list; behind it where it is not there.
 std::size_t rankIn(std::span<const std::string_view> names, const std::string& name)
 {
-    return std::size_t(std::find(names.begin(), names.end(), lowerCase(name)) - names.begin());
+    return std::size_t(std::ranges::find(names, lowerCase(name)) - names.begin());
 }
 
 bool isVector(const ArraySummary& array, const FileSummary& summary)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/append.h"
 #include "base/parallel.h"
 #include "data/mesh/mesh_tools.h"
 #include "data/surface_range.h"
@@ -69,7 +70,7 @@ std::vector<std::string> distinctTexts(const std::vector<std::string>& texts)
 {
     std::vector<std::string> distinct;
     for (const std::string& text : texts)
-        if (std::find(distinct.begin(), distinct.end(), text) == distinct.end()) distinct.push_back(text);
+        if (std::ranges::find(distinct, text) == distinct.end()) distinct.push_back(text);
     return distinct;
 }
 
@@ -90,7 +91,7 @@ void finishScene(Scene& scene, bool hasStreaks)
     std::vector<std::string> all;
     for (const Tally& tally : scene.tallies)
         for (std::string& warning : warningsOf(tally)) all.push_back(std::move(warning));
-    all.insert(all.end(), scene.warnings.begin(), scene.warnings.end());
+    appendAll(all, scene.warnings);
     scene.tallies.clear();
     scene.warnings = distinctTexts(all);  // An array that serves twice is judged twice.
 }
@@ -130,7 +131,7 @@ std::vector<Tally> sumTallies(Agreement& agreement, const std::vector<Tally>& mi
     std::vector<Tally> all;
     for (const std::string& thing : agreement.distinct(things)) {
         Tally tally{Tally::Of(thing[0]), thing.substr(1)};
-        const auto own = std::find_if(mine.begin(), mine.end(), [&](const Tally& t) { return t.sameThing(tally); });
+        const auto own = std::ranges::find_if(mine, [&](const Tally& t) { return t.sameThing(tally); });
         if (own != mine.end()) tally = *own;
         for (std::int64_t* count : {&tally.found, &tally.also, &tally.all}) *count = agreement.sum(*count);
         tally.longest = agreement.greatest(tally.longest);

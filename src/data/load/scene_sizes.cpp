@@ -19,13 +19,6 @@
 namespace aeolic {
 namespace {
 
-GridField withoutSamples(const GridField& field)
-{
-    GridField sizes = field;
-    sizes.samples.reset();
-    return sizes;
-}
-
 std::optional<SceneSizes::Surface> surfaceSize(const SurfaceSpec& spec, const std::string& file)
 {
     if (spec.kind == SurfaceSpec::Kind::builtin) {

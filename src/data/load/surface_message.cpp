@@ -6,49 +6,13 @@
 #include <utility>
 
 #include "aeolic/error.h"
+#include "base/append.h"
 #include "base/fnv.h"
 #include "base/same_place.h"
 #include "data/mesh/triangle_order.h"
 
 namespace aeolic {
 namespace {
-
-/// Calls visit() for everything that a message holds, in its order; choices and tallies apart.
-template <class Surface, class Visit>
-void forEachField(Surface& surface, const Visit& visit)
-{
-    auto& mesh = surface.mesh;
-    visit(mesh.originWorld);
-    visit(mesh.positions);
-    visit(mesh.normals);
-    visit(mesh.triangles);
-    visit(mesh.pointVectors);
-    visit(mesh.cellVectors);
-    visit(mesh.pointScalars);
-    visit(mesh.cellScalars);
-    visit(mesh.order);
-    visit(mesh.name);
-    visit(surface.topology);
-    visit(surface.pointIds);
-    visit(surface.piece);
-    visit(surface.placed);
-    visit(surface.pointsWorld);
-    visit(surface.where);
-    visit(surface.cutOut);
-    visit(surface.cutRange);
-    visit(surface.scalarLabel);
-    visit(surface.ofVectors);
-    visit(surface.vectorsName);
-    visit(surface.arrays);
-    visit(surface.timeSteps);
-    visit(surface.warnings);
-}
-
-template <class Value>
-void appendAll(std::vector<Value>& all, const std::vector<Value>& more)
-{
-    all.insert(all.end(), more.begin(), more.end());
-}
 
 /// Points come in the order in which triangles use them, whatever pieces they came from.
 void sortPoints(SurfaceMesh& mesh, std::vector<std::uint32_t>& pointIds)
@@ -152,7 +116,7 @@ void appendPiece(LoadedSurface& all, const LoadedSurface& piece, const PointJoin
 
 void addTally(std::vector<Tally>& all, const Tally& tally)
 {
-    const auto same = std::find_if(all.begin(), all.end(), [&](const Tally& t) { return t.sameThing(tally); });
+    const auto same = std::ranges::find_if(all, [&](const Tally& t) { return t.sameThing(tally); });
     if (same == all.end()) return all.push_back(tally);
     same->found += tally.found;
     same->also += tally.also;
@@ -160,62 +124,21 @@ void addTally(std::vector<Tally>& all, const Tally& tally)
     same->longest = std::max(same->longest, tally.longest);
 }
 
-void addArrays(ByteWriter& writer, const ArrayChoices& arrays)
+template <PerhapsConst<LoadedSurface> Surface, class Visit>
+void withMembers(Surface& surface, const Visit& visit)
 {
-    writer.add(std::uint64_t(arrays.size()));
-    for (const ArrayChoice& array : arrays) {
-        writer.add(array.name);
-        writer.add(array.components);
-    }
-}
-
-ArrayChoices readArrays(ByteReader& reader)
-{
-    ArrayChoices arrays;
-    std::uint64_t count = 0;
-    reader.read(count);
-    for (; count > 0; --count) {
-        ArrayChoice array;
-        reader.read(array.name);
-        reader.read(array.components);
-        arrays.push_back(std::move(array));
-    }
-    return arrays;
-}
-
-void addTallies(ByteWriter& writer, const std::vector<Tally>& tallies)
-{
-    writer.add(std::uint64_t(tallies.size()));
-    for (const Tally& tally : tallies) {
-        writer.add(tally.of);
-        writer.add(tally.where);
-        for (const std::int64_t count : {tally.found, tally.also, tally.all}) writer.add(count);
-        writer.add(tally.longest);
-    }
-}
-
-std::vector<Tally> readTallies(ByteReader& reader)
-{
-    std::vector<Tally> tallies;
-    std::uint64_t count = 0;
-    reader.read(count);
-    for (; count > 0; --count) {
-        Tally tally;
-        reader.read(tally.of);
-        reader.read(tally.where);
-        for (std::int64_t* number : {&tally.found, &tally.also, &tally.all}) reader.read(*number);
-        reader.read(tally.longest);
-        tallies.push_back(std::move(tally));
-    }
-    return tallies;
+    auto& mesh = surface.mesh;
+    visit(mesh.originWorld, mesh.positions, mesh.normals, mesh.triangles, mesh.pointVectors, mesh.cellVectors,
+          mesh.pointScalars, mesh.cellScalars, mesh.order, mesh.name);
+    visit(surface.topology, surface.pointIds, surface.piece, surface.placed, surface.pointsWorld, surface.where,
+          surface.cutOut, surface.cutRange, surface.scalarLabel, surface.ofVectors, surface.vectorsName, surface.arrays,
+          surface.timeSteps, surface.warnings, surface.offered, surface.tallies);
 }
 
 Bytes messageOf(const LoadedSurface& surface)
 {
     ByteWriter writer;
-    forEachField(surface, [&](const auto& field) { writer.add(field); });
-    addArrays(writer, surface.offered);
-    addTallies(writer, surface.tallies);
+    writer.add(surface);
     return writer.take();
 }
 
@@ -223,9 +146,7 @@ LoadedSurface surfaceOf(std::span<const std::byte> message)
 {
     ByteReader reader(message);
     LoadedSurface surface;
-    forEachField(surface, [&](auto& field) { reader.read(field); });
-    surface.offered = readArrays(reader);
-    surface.tallies = readTallies(reader);
+    reader.read(surface);
     if (!reader.atEnd()) throw std::runtime_error("a message with a surface is malformed");
     return surface;
 }
@@ -247,8 +168,7 @@ LoadedSurface appendPieces(std::vector<LoadedSurface> pieces, bool welds)
         nextId = std::max(nextId, endOf(all.pointIds, before));
         for (const Tally& tally : piece.tallies) addTally(all.tallies, tally);
         for (const std::string& warning : piece.warnings)
-            if (std::find(all.warnings.begin(), all.warnings.end(), warning) == all.warnings.end())
-                all.warnings.push_back(warning);
+            if (std::ranges::find(all.warnings, warning) == all.warnings.end()) all.warnings.push_back(warning);
         if (all.mesh.name.empty()) all.mesh.name = piece.mesh.name;
         if (all.scalarLabel.empty()) {
             all.scalarLabel = piece.scalarLabel;

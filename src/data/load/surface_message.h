@@ -33,9 +33,15 @@ LoadedSurface shareSurface(LoadedSurface mine, Agreement& agreement);
 void addTally(std::vector<Tally>& all, const Tally& tally);
 
 // Parts of messages.
-void addArrays(ByteWriter& writer, const ArrayChoices& arrays);
-ArrayChoices readArrays(ByteReader& reader);
-void addTallies(ByteWriter& writer, const std::vector<Tally>& tallies);
-std::vector<Tally> readTallies(ByteReader& reader);
+template <PerhapsConst<ArrayChoice> Array, class Visit>
+void withMembers(Array& array, const Visit& visit)
+{
+    visit(array.name, array.components);
+}
+template <PerhapsConst<Tally> Each, class Visit>
+void withMembers(Each& tally, const Visit& visit)
+{
+    visit(tally.of, tally.where, tally.found, tally.also, tally.all, tally.longest);
+}
 
 }  // namespace aeolic

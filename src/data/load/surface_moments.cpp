@@ -9,14 +9,6 @@
 namespace aeolic {
 namespace {
 
-/// A field without its samples.
-GridField gridOf(const GridField& field)
-{
-    GridField grid = field;
-    grid.samples = nullptr;
-    return grid;
-}
-
 bool sameBricks(const GridField& a, const GridField& b)
 {
     return a.dims == b.dims && a.originWorld == b.originWorld && a.spacingWorld == b.spacingWorld;
@@ -93,7 +85,7 @@ SurfacePart::Next SurfacePart::prepare(const Moment& moment, const SceneChange& 
         if (otherShape) lookup_.keepPlain(surface.mesh);
         next.triangles = lookup_.lookUpAt(surface.mesh, moment.field);
     }
-    if (context_.dealsToBricks() && !isLookedUp()) next.dealtBy = gridOf(*scene.field);
+    if (context_.dealsToBricks() && !isLookedUp()) next.dealtBy = withoutSamples(*scene.field);
     return next;
 }
 

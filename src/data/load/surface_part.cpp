@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
+#include "base/append.h"
 #include "data/builtin/surfaces.h"
 #include "data/cells_to_points.h"
 #include "data/load/blank_surface.h"
@@ -14,12 +15,6 @@
 
 namespace aeolic {
 namespace {
-
-template <class Item>
-void append(std::vector<Item>& all, const std::vector<Item>& more)
-{
-    all.insert(all.end(), more.begin(), more.end());
-}
 
 /// The whole surface's bounds, as SurfaceMesh::bounds() of all pieces together finds them. Corners are stored as floats
 /// for that: GCC 12 leaves out some roundings where a value is merely converted there and back.
@@ -99,8 +94,8 @@ void SurfacePart::takeSurface(LoadedSurface&& surface)
     originWorld_ = scene.surface.originWorld;
     tallies_ = surface.tallies;
     ownWarnings_ = surface.warnings;
-    append(scene.warnings, ownWarnings_);
-    append(scene.tallies, tallies_);
+    appendAll(scene.warnings, ownWarnings_);
+    appendAll(scene.tallies, tallies_);
 }
 
 /// Where the vectors' part along the normal is drawn, that of a slice is its own, whichever way its cells lie, and that
@@ -233,25 +228,20 @@ void SurfacePart::finish()
 
 void SurfacePart::beginWarnings(const std::vector<Tally>& ofField)
 {
-    std::erase_if(scene.warnings, [&](const std::string& warning) {
-        return std::find(told_.begin(), told_.end(), warning) != told_.end();
-    });
-    aside_ = {scene.maxVector,   scene.maxTangential,    scene.scalarRange,
-              scene.robustRange, scene.scalarRangeKnown, std::move(scene.warnings)};
+    std::erase_if(scene.warnings,
+                  [&](const std::string& warning) { return std::ranges::find(told_, warning) != told_.end(); });
+    rangesAside_ = static_cast<const SceneRanges&>(scene);
+    warningsAside_ = std::move(scene.warnings);
     scene.warnings = ownWarnings_;
     scene.tallies = tallies_;
-    append(scene.tallies, ofField);
+    appendAll(scene.tallies, ofField);
 }
 
 void SurfacePart::endWarnings()
 {
     finish();
-    scene.maxVector = aside_.maxVector;
-    scene.maxTangential = aside_.maxTangential;
-    scene.scalarRange = aside_.scalarRange;
-    scene.robustRange = aside_.robustRange;
-    scene.scalarRangeKnown = aside_.scalarRangeKnown;
-    append(scene.warnings, std::exchange(aside_, {}).warnings);
+    static_cast<SceneRanges&>(scene) = rangesAside_;
+    appendAll(scene.warnings, std::exchange(warningsAside_, {}));
 }
 
 }  // namespace aeolic

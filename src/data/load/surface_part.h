@@ -98,18 +98,11 @@ private:
     const std::size_t index_;
     Agreement& agreement_ = context_.agreement;
 
-    /// What measuring changes of a scene, and warnings of other things than its data.
-    struct Aside {
-        double maxVector = 0, maxTangential = 0;
-        std::array<double, 2> scalarRange{}, robustRange{};
-        bool scalarRangeKnown = false;
-        std::vector<std::string> warnings;
-    };
-
     std::vector<Tally> tallies_;            // Of the surface's data that are shown.
     std::vector<std::string> ownWarnings_;  // The same, of its file alone.
     std::vector<std::string> told_;
-    Aside aside_;
+    SceneRanges rangesAside_;  // Between beginWarnings() and endWarnings().
+    std::vector<std::string> warningsAside_;
     CutFacts firstCut_;           // The first moment's isosurface.
     glm::dvec3 originWorld_{0};   // The first moment's, for all others.
     bool scalarOfField_ = false;  // What is coloured by is the field's, and the surface was not cut with it.

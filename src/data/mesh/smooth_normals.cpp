@@ -133,22 +133,6 @@ CornerSets joinSmoothEdges(const std::vector<std::uint32_t>& next, const std::ve
     return sets;
 }
 
-template <class T>
-void duplicate(std::vector<T>& values, std::uint32_t point)
-{
-    if (values.empty()) return;
-    const T value = values[point];  // A reference into the vector would not survive its growth.
-    values.push_back(value);
-}
-
-std::uint32_t splitPoint(SurfaceMesh& mesh, std::uint32_t point)
-{
-    duplicate(mesh.positions, point);
-    duplicate(mesh.pointVectors, point);
-    duplicate(mesh.pointScalars, point);
-    return std::uint32_t(mesh.positions.size() - 1);
-}
-
 /// Gives each set of corners a point of its own: the first set keeps the point, the others get copies, in corner order.
 void splitPoints(SurfaceMesh& mesh, CornerSets& sets)
 {
@@ -161,7 +145,7 @@ void splitPoints(SurfaceMesh& mesh, CornerSets& sets)
         } else if (!taken[point]) {
             taken[point] = 1;
         } else {
-            point = splitPoint(mesh, point);
+            point = mesh.copyPoint(point);
         }
     }
 }

@@ -3,6 +3,27 @@
 #include <cmath>
 
 namespace aeolic {
+namespace {
+
+template <class Value>
+void appendAgain(std::vector<Value>& values, std::uint32_t point)
+{
+    if (values.empty()) return;
+    const Value value = values[point];  // A reference into the vector would not survive its growth.
+    values.push_back(value);
+}
+
+}  // namespace
+
+std::uint32_t SurfaceMesh::copyPoint(std::uint32_t point)
+{
+    appendAgain(positions, point);
+    appendAgain(normals, point);
+    appendAgain(pointVectors, point);
+    appendAgain(pointScalars, point);
+    appendAgain(surfaceOf, point);
+    return std::uint32_t(positions.size() - 1);
+}
 
 Bounds SurfaceMesh::bounds() const
 {

@@ -33,6 +33,9 @@ struct SurfaceMesh {
 
     std::string name;  ///< The file's or the built-in's name, for messages.
 
+    /// Appends a point with all values of another one, and returns its number.
+    std::uint32_t copyPoint(std::uint32_t point);
+
     Bounds bounds() const;  ///< World coordinates. Cost: one pass over the points.
 };
 

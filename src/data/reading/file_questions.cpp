@@ -7,7 +7,6 @@
 #include "aeolic/error.h"
 #include "data/named_file.h"
 #include "data/reading/known_answers.h"
-#include "data/reading/message_parts.h"
 #include "data/reading/reader_pool.h"
 
 namespace aeolic {
@@ -32,37 +31,27 @@ Bytes answerTo(const Bytes& request, const std::string& path, const char* what)
     return std::move(answer.text);
 }
 
-/// `take` reads the answer out of the message, and may throw std::runtime_error.
-template <class Take>
-auto answerTo(Question question, const std::string& path, const char* what, const std::vector<std::string>& words,
-              const Take& take, FileUse use = FileUse::any)
+template <class Value>
+Value answerTo(Question question, const std::string& path, const char* what, const std::vector<std::string>& words = {},
+               FileUse use = FileUse::any)
 {
     std::error_code error;
     ByteWriter message;
-    add(message, LookRequest{std::filesystem::current_path(error).string(), path, question, use, words});
+    message.add(LookRequest{std::filesystem::current_path(error).string(), path, question, use, words});
     const Bytes text = answerTo(message.take(), path, what);
     ByteReader answer(text);
     try {
-        return take(answer);
-    } catch (const InputError&) {
-        throw;
+        Value value{};
+        answer.read(value);
+        return value;
     } catch (const std::runtime_error&) {
         failNonsense(path);
     }
 }
 
-template <class Value>
-Value valueOf(ByteReader& message)
-{
-    Value value{};
-    message.read(value);
-    return value;
-}
-
 std::vector<std::uint64_t> pieces(const std::string& path, FileUse use, const std::vector<std::string>& parts = {})
 {
-    auto bytes =
-        answerTo(Question::pieces, path, "looking for its pieces", parts, valueOf<std::vector<std::uint64_t>>, use);
+    auto bytes = answerTo<std::vector<std::uint64_t>>(Question::pieces, path, "looking for its pieces", parts, use);
     if (bytes.size() > kMostPieces) failNonsense(path);
     for (const std::uint64_t piece : bytes)
         if (piece > kLargestPiece) failNonsense(path);
@@ -73,16 +62,12 @@ std::vector<std::uint64_t> pieces(const std::string& path, FileUse use, const st
 
 std::vector<SeriesEntry> listedFiles(const std::string& path)
 {
-    return answerTo(Question::listedFiles, path, "reading the list of files", {}, [](ByteReader& message) {
-        std::vector<SeriesEntry> entries;
-        read(message, entries);
-        return entries;
-    });
+    return answerTo<std::vector<SeriesEntry>>(Question::listedFiles, path, "reading the list of files");
 }
 
 std::vector<double> timesOfCase(const std::string& path, const std::vector<std::string>& arrays)
 {
-    return answerTo(Question::timesOfCase, path, "looking for its times", arrays, valueOf<std::vector<double>>);
+    return answerTo<std::vector<double>>(Question::timesOfCase, path, "looking for its times", arrays);
 }
 
 std::vector<std::uint64_t> pieceBytesOf(const std::string& path)
@@ -117,29 +102,22 @@ std::optional<SurfaceCounts> surfaceCountsOf(const std::string& path)
         checkReadableFile(path);
         return std::nullopt;
     }
-    return answerTo(Question::surfaceCounts, path, "reading its header", {}, [](ByteReader& message) {
-        std::optional<SurfaceCounts> counts;
-        readMaybe(message, counts);
-        return counts;
-    });
+    return answerTo<std::optional<SurfaceCounts>>(Question::surfaceCounts, path, "reading its header");
 }
 
 FileSummary summarizeFile(const std::string& path)
 {
-    return answerTo(Question::summary, path, "reading", {}, [](ByteReader& message) {
-        FileSummary summary;
-        read(message, summary);
-        return summary;
-    });
+    auto summary = answerTo<FileSummary>(Question::summary, path, "reading");
+    for (const PartSummary& part : summary.parts)
+        if (part.sideAcross && (*part.sideAcross < 0 || *part.sideAcross > 2)) failNonsense(path);
+    return summary;
 }
 
 ColorPoints colorPointsFromXml(const std::string& text, const std::string& path)
 {
-    return answerTo(Question::colorPoints, path, "reading the colour map", {text}, [](ByteReader& message) {
-        ColorPoints points;
-        read(message, points);
-        return points;
-    });
+    auto points = answerTo<ColorPoints>(Question::colorPoints, path, "reading the colour map", {text});
+    if (points.space > ColorSpace::diverging) failNonsense(path);
+    return points;
 }
 
 }  // namespace aeolic

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "base/byte_message.h"
-#include "data/reading/questions.h"
 
 namespace aeolic {
 

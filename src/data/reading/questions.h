@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,20 +30,17 @@ struct LookRequest {
     std::vector<std::string> words;
 };
 
+template <PerhapsConst<LookRequest> Request, class Visit>
+void withMembers(Request& request, const Visit& visit)
+{
+    visit(request.folder, request.path, request.question, request.use, request.words);
+}
+
 /// How many points and polygons a file says it has. A polygon becomes one triangle or more, and points that no polygon
 /// uses are left out later.
 struct SurfaceCounts {
     std::uint64_t points = 0;  ///< 0: not told.
     std::uint64_t polygons = 0;
 };
-
-void add(ByteWriter& message, const LookRequest& request);
-void add(ByteWriter& message, const std::vector<SeriesEntry>& entries);
-void add(ByteWriter& message, const FileSummary& summary);
-void add(ByteWriter& message, const ColorPoints& points);
-void read(ByteReader& message, LookRequest& request);
-void read(ByteReader& message, std::vector<SeriesEntry>& entries);
-void read(ByteReader& message, FileSummary& summary);
-void read(ByteReader& message, ColorPoints& points);
 
 }  // namespace aeolic

@@ -1,5 +1,6 @@
 #include "data/reading/reader_process.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -10,17 +11,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <system_error>
 #include <thread>
 
 #include "aeolic/error.h"
 #include "base/text.h"
-#include "data/reading/reader_program.h"
 #include "data/reading/reader_words.h"
 
 extern char** environ;
@@ -31,7 +33,35 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kLookAgainMs = 100;
 constexpr int kTriesToReap = 200, kReapMs = 10;
-constexpr off_t kMostWords = 64 << 10;  // Bytes of libraries' messages. No process is charged for memory files.
+constexpr off_t kMostWords = 64 << 10;   // Bytes of libraries' messages. No process is charged for memory files.
+constexpr std::size_t kMostTold = 2000;  // Of them in an error's message.
+
+/// The program that reads files of data. The environment variable AEOLIC_READER names it; else it is looked for beside
+/// the library: in its folder, in libexec/aeolic there, and in libexec/aeolic of the folder that the library's was
+/// installed in. Throws InputError where it is not there.
+std::string readerProgram()
+{
+    namespace fs = std::filesystem;
+    if (const char* named = std::getenv("AEOLIC_READER"); named && *named) {
+        if (access(named, X_OK) != 0)
+            throw InputError("AEOLIC_READER", std::string(named) + " is not a program", "the program aeolic-reader");
+        return named;
+    }
+    Dl_info info{};
+    std::error_code error;
+    fs::path folder;
+    if (dladdr(reinterpret_cast<const void*>(&readerProgram), &info) != 0 && info.dli_fname)
+        folder = fs::canonical(info.dli_fname, error).parent_path();
+    if (folder.empty())
+        throw InputError("aeolic-reader", "not found: nobody knows where the library is", "AEOLIC_READER=PATH");
+    for (const char* place : {"aeolic-reader", "libexec/aeolic/aeolic-reader", "../libexec/aeolic/aeolic-reader",
+                              "../../libexec/aeolic/aeolic-reader"}) {
+        std::string program = (folder / place).string();
+        if (access(program.c_str(), X_OK) == 0) return program;
+    }
+    throw InputError("aeolic-reader", "not found in " + folder.string() + " or libexec/aeolic near it",
+                     "the program that reads files, installed with the library, or AEOLIC_READER=PATH");
+}
 
 /// A file that cannot grow: bytes that do not fit are lost.
 OwnedFile wordsFile()
@@ -248,29 +278,28 @@ std::string ReaderProcess::endedHow()
     return fmt::format("exit code {}", WEXITSTATUS(status));
 }
 
-std::string ReaderProcess::words() const
+/// What its libraries have said, from a byte of it on.
+std::string ReaderProcess::words(long from) const
 {
-    std::array<char, 2000> text{};
-    const off_t bytes = lseek(words_.get(), 0, SEEK_CUR);
-    const off_t from = std::max<off_t>(0, bytes - off_t(text.size()));
-    const ssize_t count = bytes < 0 ? 0 : pread(words_.get(), text.data(), text.size(), from);
-    return std::string(text.data(), std::size_t(std::max<ssize_t>(count, 0)));
+    const off_t end = lseek(words_.get(), 0, SEEK_CUR);
+    std::string text(std::size_t(std::max<off_t>(end - from, 0)), '\0');
+    const ssize_t count = pread(words_.get(), text.data(), text.size(), from);
+    text.resize(std::size_t(std::max<ssize_t>(count, 0)));
+    return text;
 }
 
 void ReaderProcess::tellWords(const Subject& subject) noexcept
 {
-    std::array<char, kMostWords> text{};
-    const off_t end = lseek(words_.get(), 0, SEEK_CUR);
-    if (end <= toldWords_) return;
-    const ssize_t count = pread(words_.get(), text.data(), std::size_t(end - toldWords_), toldWords_);
-    toldWords_ = end;
-    if (count > 0) tellReaderWords(subject.path, {text.data(), std::size_t(count)});
+    const std::string text = words(toldWords_);
+    toldWords_ += long(text.size());
+    tellReaderWords(subject.path, text);
 }
 
 void ReaderProcess::failEnded(const Subject& subject)
 {
     const std::string how = endedHow();
-    const std::string said = words();
+    std::string said = words(0);
+    said.erase(0, said.size() - std::min(said.size(), kMostTold));
     end();
     std::string found = fmt::format("the reader ended ({}) while {}", how, subject.what);
     if (std::getenv("AEOLIC_READER_WORDS") && !said.empty()) found += ", and said: " + withSpaces(said);

@@ -52,7 +52,7 @@ private:
     [[noreturn]] void failEnded(const Subject& subject);
     [[noreturn]] void failSilent(const Subject& subject);
     std::string endedHow();
-    std::string words() const;
+    std::string words(long from) const;
     void tellWords(const Subject& subject) noexcept;
     void end() noexcept;
 

@@ -25,7 +25,7 @@ LineCounts::LineCounts(const std::vector<LineSample>& samples, float reach) : re
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
     order.reserve(samples.size());
     for (const LineSample& sample : samples) order.emplace_back(keyOf(cellOf(sample.at)), std::uint32_t(order.size()));
-    std::sort(order.begin(), order.end());
+    std::ranges::sort(order);
     samples_.reserve(samples.size());
     for (const auto& [key, i] : order) samples_.push_back({samples[i].at, samples[i].normal});
     std::size_t cells = 0;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
+#include "base/append.h"
 #include "base/parallel.h"
 #include "data/streamlines/line_counts.h"
 #include "data/streamlines/near_samples.h"
@@ -56,8 +58,7 @@ public:
     std::vector<SeparationLine> lines() const
     {
         std::vector<Piece> pieces = piecesOnLines();
-        std::stable_sort(pieces.begin(), pieces.end(),
-                         [](const Piece& a, const Piece& b) { return a.strength > b.strength; });
+        std::ranges::stable_sort(pieces, std::greater(), &Piece::strength);
         NearSamples taken(kBeside * apart_, samples_.size());
         std::vector<SeparationLine> lines;
         for (const Piece& piece : pieces) takeFree(piece, taken, lines);
@@ -86,7 +87,7 @@ private:
             }
         });
         std::vector<Sample> all;
-        for (const auto& line : lines) all.insert(all.end(), line.begin(), line.end());
+        for (const auto& line : lines) appendAll(all, line);
         return all;
     }
 
@@ -180,11 +181,10 @@ private:
         }
         if (best.end - best.begin < 2) return;
         std::vector<Sample> line = goneOn(samples_[best.begin], -direction_, taken);
-        std::reverse(line.begin(), line.end());
+        std::ranges::reverse(line);
         line.insert(line.end(), samples_.begin() + std::ptrdiff_t(best.begin),
                     samples_.begin() + std::ptrdiff_t(best.end));
-        const std::vector<Sample> more = goneOn(samples_[best.end - 1], direction_, taken);
-        line.insert(line.end(), more.begin(), more.end());
+        appendAll(line, goneOn(samples_[best.end - 1], direction_, taken));
         SeparationLine found{direction_ > 0, 0, 0, {}};
         for (std::size_t i = 1; i < line.size(); ++i)
             found.lengthWorld += double(glm::length(line[i].at.at - line[i - 1].at.at)) * surface_.unitWorld();
@@ -195,7 +195,7 @@ private:
             taken.add(sample.at);
         }
         found.strength /= double(line.size());
-        if (direction_ < 0) std::reverse(found.places.begin(), found.places.end());
+        if (direction_ < 0) std::ranges::reverse(found.places);
         lines.push_back(std::move(found));
     }
 
@@ -215,7 +215,7 @@ std::vector<SeparationLine> separationLines(const StreamlineSurface& surface, do
     std::vector<SeparationLine> all;
     for (const int direction : {1, -1})
         for (SeparationLine& line : Gathering(surface, direction, apart).lines()) all.push_back(std::move(line));
-    std::stable_sort(all.begin(), all.end(), [](const SeparationLine& a, const SeparationLine& b) {
+    std::ranges::stable_sort(all, [](const SeparationLine& a, const SeparationLine& b) {
         return a.separates != b.separates ? a.separates : a.strength > b.strength;
     });
     return all;

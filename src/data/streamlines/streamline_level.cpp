@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "base/append.h"
+
 namespace aeolic {
 namespace {
 
@@ -115,7 +117,7 @@ void StreamlineLevel::goOn(const OpenEnd& end)
     }
     keepEnd(way, from, end.chain, end.direction);
     way.points.insert(way.points.begin(), from);
-    if (end.direction < 0) std::reverse(way.points.begin(), way.points.end());
+    if (end.direction < 0) std::ranges::reverse(way.points);
     lines_.push_back({level_, end.chain, std::move(way.points)});
 }
 
@@ -167,7 +169,7 @@ void StreamlineLevel::tryLine(const SurfacePlace& seed)
     const Way up = down.isClosed ? Way{} : follow(from, -1, chain, false);
     std::vector<StreamlinePoint> points(up.points.rbegin(), up.points.rend());
     points.push_back(from);
-    points.insert(points.end(), down.points.begin(), down.points.end());
+    appendAll(points, down.points);
     if (points.back().arc - points.front().arc < kShortest * spacing_) return near_.shrinkTo(before);
     ++chains_;
     keepEnd(down, from, chain, 1);

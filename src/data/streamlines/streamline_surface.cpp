@@ -108,7 +108,7 @@ std::array<std::vector<glm::vec3>, 2> StreamlineSurface::through(const SurfacePl
         for (const SurfacePlace& each : along_.trace(place, direction, 4 * size_ * unitWorld_).places)
             part.push_back(at(each));
     }
-    std::reverse(parts[0].begin(), parts[0].end());
+    std::ranges::reverse(parts[0]);
     return parts;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/append.h"
 #include "base/parallel.h"
 #include "data/topology/flat_triangle.h"
 
@@ -128,7 +129,7 @@ std::vector<CriticalPoint> criticalPoints(const SurfaceMesh& mesh, const Surface
             if (const auto point = criticalPointOf(mesh, fans, field, std::uint32_t(t))) found[run].push_back(*point);
     });
     std::vector<CriticalPoint> all;
-    for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
+    for (const auto& some : found) appendAll(all, some);
     return all;
 }
 

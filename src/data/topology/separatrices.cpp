@@ -31,16 +31,6 @@ std::array<glm::dvec2, 2> eigenvectors(const glm::dmat2& m)
     return {vectorOf(middle + root), vectorOf(middle - root)};
 }
 
-/// A place in the plane of a triangle, a little beside another one; kept on the triangle's border where it would leave.
-SurfacePlace beside(const FlatTriangle& flat, const CriticalPoint& point, const glm::dvec2& direction)
-{
-    const glm::dvec3 from = point.place.weight;
-    const double side = glm::length(flat.point[1] - flat.point[0]);
-    glm::dvec3 weight = flat.weightsOf(flat.at(from) + kBesideSaddle * side * direction);
-    weight = glm::max(weight, glm::dvec3(0));
-    return {point.place.triangle, weight / (weight.x + weight.y + weight.z)};
-}
-
 /// A direction in which the flow runs straight away from a point or to it, by the cosine between the two.
 constexpr double kStraight = 1 - 1e-9;
 
@@ -49,15 +39,6 @@ struct Start {
     SurfacePlace place;
     int direction = 1;
 };
-
-std::vector<Start> startsInTriangle(const FlatTriangle& flat, const CriticalPoint& saddle)
-{
-    const std::array<glm::dvec2, 2> along = eigenvectors(flat.derivative());
-    std::vector<Start> starts;
-    for (std::size_t k = 0; k < 4; ++k)
-        starts.push_back({beside(flat, saddle, (k % 2 == 0 ? 1.0 : -1.0) * along[k / 2]), k < 2 ? 1 : -1});
-    return starts;
-}
 
 /// The starts of a saddle that is a point of the mesh. Each triangle around the point has directions of its own, and
 /// takes those that lead into it. A direction along a side belongs to the triangle of which it is the first side.
@@ -94,22 +75,31 @@ std::vector<Start> startsAroundPoint(const SurfaceMesh& mesh, const SurfaceFans&
     return starts;
 }
 
-/// Those directions of a triangle that lead from a place on its side, before the corner `opposite`, into it, or along
-/// the side.
-void addStartsInto(const FlatTriangle& flat, std::uint32_t triangle, int opposite, const glm::dvec3& from,
-                   bool takesSide, std::vector<Start>& starts)
+/// Starts a little beside a place in a triangle, kept on its border where they would leave it. `opposite`: where the
+/// place is on the side before that corner, only of those directions that lead into the triangle, or along the side.
+void addStartsIn(const FlatTriangle& flat, const SurfacePlace& from, std::optional<int> opposite, bool takesSide,
+                 std::vector<Start>& starts)
 {
     constexpr double alongSide = 1e-9;
     const std::array<glm::dvec2, 2> along = eigenvectors(flat.derivative());
     const double side = glm::length(flat.point[1] - flat.point[0]);
     for (std::size_t k = 0; k < 4; ++k) {
         const glm::dvec2 way = (k % 2 == 0 ? 1.0 : -1.0) * along[k / 2];
-        glm::dvec3 weight = flat.weightsOf(flat.at(from) + kBesideSaddle * side * way);
-        const double inwards = weight[opposite] - from[opposite];
-        if (inwards < -alongSide || (inwards <= alongSide && !takesSide)) continue;
-        weight = glm::max(weight, glm::dvec3(0));
-        starts.push_back({{triangle, weight / (weight.x + weight.y + weight.z)}, k < 2 ? 1 : -1});
+        const glm::dvec3 weight = flat.weightsOf(flat.at(from.weight) + kBesideSaddle * side * way);
+        if (opposite) {
+            const double inwards = weight[*opposite] - from.weight[*opposite];
+            if (inwards < -alongSide || (inwards <= alongSide && !takesSide)) continue;
+        }
+        starts.push_back({{from.triangle, insideTriangle(weight)}, k < 2 ? 1 : -1});
     }
+}
+
+std::vector<Start> startsInTriangle(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
+                                    const SurfacePlace& at)
+{
+    std::vector<Start> starts;
+    addStartsIn(FlatTriangle(mesh, fans, field, at.triangle), at, std::nullopt, true, starts);
+    return starts;
 }
 
 /// The starts of a saddle on a side, or nearly so: each of the two triangles takes the directions that lead into it.
@@ -121,14 +111,14 @@ std::vector<Start> startsAcrossSide(const SurfaceMesh& mesh, const SurfaceFans& 
     glm::dvec3 onSide = at.weight;
     onSide[opposite] = 0;
     onSide /= onSide[first] + onSide[second];
-    addStartsInto(FlatTriangle(mesh, fans, field, at.triangle), at.triangle, opposite, onSide, true, starts);
+    addStartsIn(FlatTriangle(mesh, fans, field, at.triangle), {at.triangle, onSide}, opposite, true, starts);
     const std::uint32_t twin = fans.twin[3 * at.triangle + std::uint32_t(first)];
     if (twin == SurfaceFans::kNone || field.masked[twin / 3]) return starts;
     const int begin = int(twin % 3), end = (begin + 1) % 3;  // The side runs the other way round here.
     glm::dvec3 there(0);
     there[begin] = onSide[second];
     there[end] = onSide[first];
-    addStartsInto(FlatTriangle(mesh, fans, field, twin / 3), twin / 3, (begin + 2) % 3, there, false, starts);
+    addStartsIn(FlatTriangle(mesh, fans, field, twin / 3), {twin / 3, there}, (begin + 2) % 3, false, starts);
     return starts;
 }
 
@@ -163,10 +153,9 @@ std::vector<Separatrix> separatrices(const SurfaceMesh& mesh, const SurfaceFans&
         const CriticalPoint& saddle = points[saddles[s]];
         const auto corner = cornerAt(saddle.place);
         const auto side = sideAt(saddle.place);
-        const std::vector<Start> starts =
-            corner ? startsAroundPoint(mesh, fans, field, *corner)
-            : side ? startsAcrossSide(mesh, fans, field, saddle.place, *side)
-                   : startsInTriangle(FlatTriangle(mesh, fans, field, saddle.place.triangle), saddle);
+        const std::vector<Start> starts = corner ? startsAroundPoint(mesh, fans, field, *corner)
+                                          : side ? startsAcrossSide(mesh, fans, field, saddle.place, *side)
+                                                 : startsInTriangle(mesh, fans, field, saddle.place);
         for (const Start& start : starts)
             found[s].push_back({saddles[s], start.direction, tracer.trace(start.place, start.direction, longestWorld)});
     });

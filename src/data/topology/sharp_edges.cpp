@@ -173,8 +173,8 @@ std::vector<SurfacePlace> laid(SharpEdges edges, const std::vector<SurfacePlace>
 void endAt(const SurfaceMesh& mesh, const SurfacePlace& point, std::vector<SurfacePlace>& places)
 {
     const glm::dvec3 at = positionWorld(mesh, point);
-    const auto first = std::find_if(places.begin(), places.end(),
-                                    [&](const SurfacePlace& place) { return positionWorld(mesh, place) == at; });
+    const auto first =
+        std::ranges::find_if(places, [&](const SurfacePlace& place) { return positionWorld(mesh, place) == at; });
     if (first != places.end()) places.erase(first + 1, places.end());
     if (places.size() > 1) places.pop_back();
     places.push_back(point);

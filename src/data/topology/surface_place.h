@@ -14,6 +14,13 @@ struct SurfacePlace {
     glm::dvec3 weight{0};
 };
 
+/// Weights of a place in the triangle for some that are nearly those of one.
+inline glm::dvec3 insideTriangle(glm::dvec3 weight)
+{
+    weight = glm::max(weight, glm::dvec3(0));
+    return weight / (weight.x + weight.y + weight.z);
+}
+
 /// Along the triangle's normal, and twice as long as its area is large.
 inline glm::dvec3 areaVector(const SurfaceMesh& mesh, std::uint32_t triangle)
 {

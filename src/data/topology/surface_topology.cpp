@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/append.h"
 #include "data/topology/separatrices.h"
 #include "data/topology/sharp_edges.h"
 
@@ -30,7 +31,7 @@ public:
     {
         for (std::size_t i = 0; i < points.size(); ++i)
             if (points[i].kind != CriticalKind::saddle) ends_.push_back({positionWorld(mesh, points[i].place), i});
-        std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) {
+        std::ranges::sort(ends_, [](const End& a, const End& b) {
             return a.atWorld.x < b.atWorld.x || (a.atWorld.x == b.atWorld.x && a.point < b.point);
         });
     }
@@ -62,11 +63,6 @@ private:
     std::vector<End> ends_;
 };
 
-void append(std::vector<SurfacePlace>& places, const std::vector<SurfacePlace>& more)
-{
-    places.insert(places.end(), more.begin(), more.end());
-}
-
 std::vector<TopologyLine> linesOf(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
                                   const std::vector<CriticalPoint>& points, double longestWorld)
 {
@@ -75,7 +71,7 @@ std::vector<TopologyLine> linesOf(const SurfaceMesh& mesh, const SurfaceFans& fa
     for (const Separatrix& separatrix : separatrices(mesh, fans, field, points, longestWorld)) {
         TopologyLine line{separatrix.saddle, {}, separatrix.direction, 0, {}};
         line.places.push_back(points[separatrix.saddle].place);
-        append(line.places, separatrix.line.places);
+        appendAll(line.places, separatrix.line.places);
         line.other = ends.of(separatrix.line);
         if (line.other) line.places.push_back(points[*line.other].place);
         line.lengthWorld = lengthWorld(mesh, line.places);
@@ -125,16 +121,15 @@ private:
         if (gone_[line.saddle] || !line.other || gone_[*line.other] || line.lengthWorld > leastWorld_) return false;
         const auto joins = [&](std::size_t i) { return all_.lines[i].other == line.other; };
         const std::vector<std::size_t>& own = ofSaddle_[line.saddle];
-        return all_.points[*line.other].index == 1 && std::count_if(own.begin(), own.end(), joins) == 1;
+        return all_.points[*line.other].index == 1 && std::ranges::count_if(own, joins) == 1;
     }
 
     void cancel(std::size_t which)
     {
         const TopologyLine between = all_.lines[which];
         const std::vector<std::size_t>& own = ofSaddle_[between.saddle];
-        const auto other = std::find_if(own.begin(), own.end(), [&](std::size_t i) {
-            return i != which && all_.lines[i].direction == between.direction;
-        });
+        const auto other = std::ranges::find_if(
+            own, [&](std::size_t i) { return i != which && all_.lines[i].direction == between.direction; });
         gone_[between.saddle] = gone_[*between.other] = true;
         for (const std::size_t i : std::vector(atPoint_[*between.other])) {
             TopologyLine& line = all_.lines[i];
@@ -152,7 +147,7 @@ private:
     }
     static void extend(TopologyLine& line, const std::vector<SurfacePlace>& more, double lengthWorld)
     {
-        append(line.places, more);
+        appendAll(line.places, more);
         line.lengthWorld += lengthWorld;
     }
 

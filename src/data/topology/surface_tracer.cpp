@@ -88,12 +88,6 @@ glm::dvec3 steppedToSide(const FlatTriangle& flat, const glm::dvec3& from, doubl
     return to;
 }
 
-glm::dvec3 cleaned(glm::dvec3 weight)
-{
-    weight = glm::max(weight, glm::dvec3(0));
-    return weight / (weight.x + weight.y + weight.z);
-}
-
 }  // namespace
 
 FlatTriangle SurfaceTracer::flat(std::uint32_t triangle) const
@@ -142,7 +136,7 @@ std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk) const
         if (exit.corner >= 0) {
             to = steppedToSide(flat, from, time, exit.corner, to[exit.corner]);
         }
-        walk.at.weight = cleaned(to);
+        walk.at.weight = insideTriangle(to);
         if (!add(walk)) return {};
         if (exit.corner >= 0) return 3 * t + std::uint32_t((exit.corner + 1) % 3);
     }
@@ -154,20 +148,14 @@ std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk) const
 bool SurfaceTracer::passPoint(Walk& walk, std::uint32_t corner) const
 {
     const std::uint32_t fan = fans_.fanOf[corner];
-    if (!(field_.length[fan] > 0)) {
-        walk.end = LineEnd::rest;
-        return false;
-    }
+    if (!(field_.length[fan] > 0)) return walk.endsBy(LineEnd::rest);
     double rad = field_.rad[fan] + (walk.direction < 0 ? kPi : 0) + (along_ == Along::acrossFlow ? 0.5 * kPi : 0);
     if (rad >= 2 * kPi) rad -= 2 * kPi;
     std::optional<std::uint32_t> into;
     forEachCorner(fans_, fan, [&](std::uint32_t c) {
         if (fans_.edgeRad[c] <= rad && rad <= fans_.secondEdgeRad(c)) into = into.value_or(c);
     });
-    if (!into) {
-        walk.end = LineEnd::boundary;
-        return false;
-    }
+    if (!into) return walk.endsBy(LineEnd::boundary);
     const double part = (rad - fans_.edgeRad[*into]) / (fans_.scale[fan] * fans_.cornerRad[*into]);
     const std::uint32_t next = nextInTriangle(*into), last = SurfaceFans::previousInTriangle(*into);
     walk.at.triangle = *into / 3;
@@ -199,17 +187,10 @@ bool SurfaceTracer::enter(Walk& walk, std::uint32_t halfEdge) const
     if (there < kAtCorner) return passPoint(walk, halfEdge);
     if (there > 1 - kAtCorner) return passPoint(walk, end);
     const std::uint32_t twin = fans_.twin[halfEdge];
-    if (twin == SurfaceFans::kNone) {
-        walk.end = LineEnd::boundary;
-        return false;
-    }
+    if (twin == SurfaceFans::kNone) return walk.endsBy(LineEnd::boundary);
     std::vector<double>& before = walk.entered[halfEdge];
-    const bool again =
-        std::any_of(before.begin(), before.end(), [&](double place) { return std::abs(place - there) < kSamePlace; });
-    if (again || before.size() >= kMostCrossings) {
-        walk.end = LineEnd::closed;
-        return false;
-    }
+    const bool again = std::ranges::any_of(before, [&](double place) { return std::abs(place - there) < kSamePlace; });
+    if (again || before.size() >= kMostCrossings) return walk.endsBy(LineEnd::closed);
     before.push_back(there);
     walk.at.triangle = twin / 3;
     walk.at.weight = glm::dvec3(0);

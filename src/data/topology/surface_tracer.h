@@ -61,6 +61,12 @@ private:
         double lengthWorld = 0;
         LineEnd end = LineEnd::longest;
         std::unordered_map<std::uint32_t, std::vector<double>> entered = {};  // Where half-edges were crossed.
+
+        bool endsBy(LineEnd why)
+        {
+            end = why;
+            return false;
+        }
     };
     FlatTriangle flat(std::uint32_t triangle) const;
     LineEnd walk(Walk walk) const;

@@ -1,15 +1,14 @@
 #include "data/vtk/arrays.h"
 
 #include <fmt/format.h>
-#include <vtkCellData.h>
-#include <vtkDataSetAttributes.h>
-#include <vtkPointData.h>
+#include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <type_traits>
 
 #include "aeolic/error.h"
@@ -22,29 +21,21 @@ namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 15;
 
-vtkDataSetAttributes* attributes(vtkDataSet& data, bool onPoints)
+const ArrayInfo* findInfo(const std::vector<ArrayInfo>& arrays, const std::string& name, bool onPoints)
 {
-    return onPoints ? static_cast<vtkDataSetAttributes*>(data.GetPointData())
-                    : static_cast<vtkDataSetAttributes*>(data.GetCellData());
-}
-
-const ArrayInfo* findByName(const std::vector<ArrayInfo>& arrays, const std::string& name)
-{
-    for (const bool onPoints : {true, false})
-        for (const ArrayInfo& array : arrays)
-            if (array.onPoints == onPoints && array.name == name) return &array;
+    for (const ArrayInfo& array : arrays)
+        if (array.onPoints == onPoints && array.name == name) return &array;
     return nullptr;
 }
 
 /// The array of that whole name, else of the name behind point: or cell:.
 const ArrayInfo* findNamed(const std::vector<ArrayInfo>& arrays, const std::string& text)
 {
-    if (const ArrayInfo* whole = findByName(arrays, text)) return whole;
+    for (const bool onPoints : {true, false})
+        if (const ArrayInfo* whole = findInfo(arrays, text, onPoints)) return whole;
     const ArrayRef ref = parseArray(text);
     if (!ref.onPoints || ref.part != ArrayPart::whole) return nullptr;
-    for (const ArrayInfo& array : arrays)
-        if (array.onPoints == *ref.onPoints && array.name == ref.name) return &array;
-    return nullptr;
+    return findInfo(arrays, ref.name, *ref.onPoints);
 }
 
 enum class VectorKind { none, floats, wholeNumbers, joined, flat };
@@ -74,13 +65,13 @@ public:
     Hidden(vtkDataSet& data, bool onPoints)
     {
         const char* maskName = onPoints ? "vtkValidPointMask" : "vtkValidCellMask";
-        vtkDataArray* mask = attributes(data, onPoints)->GetArray(maskName);
+        vtkDataArray* mask = attributesOf(data, onPoints)->GetArray(maskName);
         if (mask && mask->GetNumberOfComponents() == 1) {
             valid_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
             valid_->DeepCopy(mask);
         }
         ghosts_ = vtkUnsignedCharArray::SafeDownCast(
-            attributes(data, onPoints)->GetArray(vtkDataSetAttributes::GhostArrayName()));
+            attributesOf(data, onPoints)->GetArray(vtkDataSetAttributes::GhostArrayName()));
         hiddenBit_ = onPoints ? int(vtkDataSetAttributes::HIDDENPOINT) : int(vtkDataSetAttributes::HIDDENCELL);
     }
     bool any() const { return valid_ || ghosts_; }
@@ -154,11 +145,27 @@ void convert(const Source* source, float* target, std::size_t count)
 
 }  // namespace
 
+vtkDataSetAttributes* attributesOf(vtkDataSet& data, bool onPoints)
+{
+    return data.GetAttributes(onPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+}
+
+void takeTuples(vtkDataSetAttributes& all, vtkIdList& ids, vtkDataSetAttributes& some)
+{
+    some.CopyAllOn();
+    some.CopyAllocate(&all, ids.GetNumberOfIds());
+    if (ids.GetNumberOfIds() == 0) return;
+    vtkNew<vtkIdList> places;
+    places->SetNumberOfIds(ids.GetNumberOfIds());
+    std::iota(places->begin(), places->end(), vtkIdType(0));
+    some.CopyData(&all, &ids, places);
+}
+
 std::vector<ArrayInfo> arraysOf(vtkDataSet& data)
 {
     std::vector<ArrayInfo> arrays;
     for (const bool onPoints : {true, false}) {
-        vtkDataSetAttributes* all = attributes(data, onPoints);
+        vtkDataSetAttributes* all = attributesOf(data, onPoints);
         for (int i = 0; i < all->GetNumberOfArrays(); ++i) {
             vtkDataArray* array = all->GetArray(i);  // Null for strings.
             if (!array || !array->GetName()) continue;
@@ -265,7 +272,7 @@ bool isMaskName(const std::string& name)
 
 vtkDataArray* findArray(vtkDataSet& data, const std::string& name, bool onPoints)
 {
-    return attributes(data, onPoints)->GetArray(name.c_str());
+    return attributesOf(data, onPoints)->GetArray(name.c_str());
 }
 
 vtkSmartPointer<vtkFloatArray> toFloats(vtkDataArray* array)

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <vtkDataSet.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
@@ -9,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/byte_message.h"
 #include "data/array_choice.h"
 #include "data/bricks.h"
 #include "data/tally.h"
@@ -26,6 +29,19 @@ struct ArrayInfo {
     bool activeNormals = false;
     std::vector<std::string> of = {};  ///< The file has its components only, as arrays of these names.
 };
+
+/// What a reader tells.
+template <PerhapsConst<ArrayInfo> Array, class Visit>
+void withMembers(Array& array, const Visit& visit)
+{
+    visit(array.name, array.onPoints, array.components, array.vtkType, array.activeVectors, array.activeNormals);
+}
+
+/// The arrays on the points, or else those on the cells.
+vtkDataSetAttributes* attributesOf(vtkDataSet& data, bool onPoints);
+
+/// Gives `some` arrays like those of `all`, with the values of what `ids` lists, in that order.
+void takeTuples(vtkDataSetAttributes& all, vtkIdList& ids, vtkDataSetAttributes& some);
 
 std::vector<ArrayInfo> arraysOf(vtkDataSet& data);
 

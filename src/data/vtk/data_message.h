@@ -13,6 +13,12 @@
 
 namespace aeolic {
 
+/// What a data object is, in a message.
+enum class DataForm : std::uint8_t { none, blocks, polygons, image, rectilinear, structured, unstructured };
+
+/// In the place of a memory's number: an array's values follow in the message.
+inline constexpr std::uint32_t kArrayInMessage = 0xffffffff;
+
 /// In the reader: where the large arrays of an answer lie.
 class AnswerMemory {
 public:

@@ -21,17 +21,51 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <map>
+#include <mutex>
 
 #include "aeolic/error.h"
-#include "data/vtk/data_message_form.h"
-#include "data/vtk/mapped_arrays.h"
 
 namespace aeolic {
 namespace {
 
-using namespace data_message;
-
 constexpr int kDeepestInAnswer = 64;  // Blocks in blocks.
+
+/// VTK hands nothing but an array's address to the function that frees it.
+struct MappedArrays {
+    std::mutex mutex;
+    std::multimap<void*, std::shared_ptr<SharedMemory>> memory;  // Several arrays may have the same.
+};
+
+MappedArrays& mapped()
+{
+    static auto* all = new MappedArrays;  // Arrays may outlive everything else.
+    return *all;
+}
+
+void freeMapped(void* address)
+{
+    std::shared_ptr<SharedMemory> last;
+    MappedArrays& all = mapped();
+    const std::lock_guard lock(all.mutex);
+    const auto found = all.memory.find(address);
+    if (found == all.memory.end()) return;
+    last = std::move(found->second);
+    all.memory.erase(found);
+}
+
+/// Makes mapped memory the values of an array, without a copy. The array keeps the memory. Throws std::bad_alloc.
+void setMapped(vtkDataArray& array, std::shared_ptr<SharedMemory> memory, vtkIdType values)
+{
+    void* const address = memory->data();
+    memory->expectUse(std::size_t(values) * std::size_t(array.GetDataTypeSize()));
+    {
+        const std::lock_guard lock(mapped().mutex);
+        mapped().memory.emplace(address, std::move(memory));
+    }
+    array.SetVoidArray(address, values, 0, vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
+    array.SetArrayFreeFunction(freeMapped);
+}
 
 class Reader {
 public:
@@ -43,13 +77,13 @@ public:
     vtkSmartPointer<vtkDataObject> data(int depth = 0)
     {
         if (depth > kDeepestInAnswer) fail();
-        switch (next<Form>()) {
-            case Form::none: {
+        switch (next<DataForm>()) {
+            case DataForm::none: {
                 const auto name = text();
                 if (!name.empty()) throw std::runtime_error("a " + name);
                 return nullptr;
             }
-            case Form::blocks: {
+            case DataForm::blocks: {
                 auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
                 const auto count = next<std::uint32_t>();
                 for (unsigned i = 0; i < count; ++i) {
@@ -59,15 +93,15 @@ public:
                 }
                 return blocks;
             }
-            case Form::polygons:
+            case DataForm::polygons:
                 return polygons();
-            case Form::image:
+            case DataForm::image:
                 return image();
-            case Form::rectilinear:
+            case DataForm::rectilinear:
                 return rectilinear();
-            case Form::structured:
+            case DataForm::structured:
                 return structured();
-            case Form::unstructured:
+            case DataForm::unstructured:
                 return unstructured();
         }
         fail();
@@ -202,7 +236,7 @@ private:
         if (!values || values->GetDataTypeSize() != width) fail();
         if (!name.empty()) values->SetName(name.c_str());
         values->SetNumberOfComponents(components);
-        if (where == kInMessage) {
+        if (where == kArrayInMessage) {
             std::span<const std::byte> copy;
             message_.read(copy);
             if (copy.size() != bytes) fail();

@@ -22,25 +22,21 @@
 #include <array>
 #include <cstring>
 
-#include "data/vtk/data_message_form.h"
-
 namespace aeolic {
 namespace {
 
-using namespace data_message;
-
 constexpr std::size_t kSmallBytes = std::size_t(64) << 10;  // Bytes that stand in the message.
 
-Form formOf(vtkDataObject* data)
+DataForm formOf(vtkDataObject* data)
 {
-    if (!data) return Form::none;
-    if (vtkMultiBlockDataSet::SafeDownCast(data)) return Form::blocks;
-    if (vtkPolyData::SafeDownCast(data)) return Form::polygons;
-    if (vtkImageData::SafeDownCast(data)) return Form::image;
-    if (vtkRectilinearGrid::SafeDownCast(data)) return Form::rectilinear;
-    if (vtkStructuredGrid::SafeDownCast(data)) return Form::structured;
-    if (vtkUnstructuredGrid::SafeDownCast(data)) return Form::unstructured;
-    return Form::none;
+    if (!data) return DataForm::none;
+    if (vtkMultiBlockDataSet::SafeDownCast(data)) return DataForm::blocks;
+    if (vtkPolyData::SafeDownCast(data)) return DataForm::polygons;
+    if (vtkImageData::SafeDownCast(data)) return DataForm::image;
+    if (vtkRectilinearGrid::SafeDownCast(data)) return DataForm::rectilinear;
+    if (vtkStructuredGrid::SafeDownCast(data)) return DataForm::structured;
+    if (vtkUnstructuredGrid::SafeDownCast(data)) return DataForm::unstructured;
+    return DataForm::none;
 }
 
 class Writer {
@@ -49,9 +45,9 @@ public:
 
     void add(vtkDataObject* data)
     {
-        const Form form = formOf(data);
+        const DataForm form = formOf(data);
         message_.add(form);
-        if (form == Form::none) {
+        if (form == DataForm::none) {
             message_.add(std::string(data ? data->GetClassName() : ""));
         } else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) {
             message_.add(std::uint32_t(blocks->GetNumberOfBlocks()));
@@ -142,7 +138,7 @@ private:
                         std::int64_t(plain->GetNumberOfTuples()));
         const void* values = bytes > 0 ? plain->GetVoidPointer(0) : nullptr;
         const bool small = bytes < kSmallBytes;
-        message_.add(small ? kInMessage : memory_.place(values, bytes));
+        message_.add(small ? kArrayInMessage : memory_.place(values, bytes));
         if (!small) return;
         Bytes copy(bytes);
         if (bytes > 0) std::memcpy(copy.data(), values, bytes);

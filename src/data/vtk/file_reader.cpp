@@ -16,7 +16,7 @@ ReaderProcess::Answer FileReader::ask(PacketKind kind, const Request& request, c
                                       const ProgressReport& progress)
 {
     ByteWriter message;
-    add(message, request);
+    message.add(request);
     const Bytes bytes = message.take();
     return reader_->ask(kind, bytes, {path_, what}, progress);
 }
@@ -27,7 +27,7 @@ Value FileReader::understood(const ReaderProcess::Answer& answer) const
     try {
         ByteReader message(answer.text);
         Value value;
-        aeolic::read(message, value);
+        message.read(value);
         return value;
     } catch (const std::runtime_error&) {
         failNonsense();

@@ -29,8 +29,6 @@ public:
     /// will be read, where the file has several; none: the first.
     FileReader(std::string path, Use use, std::optional<double> time = std::nullopt);
 
-    const std::string& kind() const { return facts_.kind; }  ///< "image data": what files of its extension hold.
-
     /// Files of the XML family tell their content before it is read. Others need read() first.
     bool announcesArrays() const { return facts_.announcesArrays; }
     const std::vector<ArrayInfo>& announcedArrays();
@@ -51,9 +49,6 @@ public:
 
     /// What the file says of its parts, in the order in which they are read.
     const std::vector<PartInfo>& parts() const { return facts_.parts; }
-
-    /// Whether values were made floats when they were read; announcedArrays() say what they are in the file.
-    bool readsFloats() const { return facts_.readsFloats; }
 
     /// Samples in x, y, z of image data that says so in its header; zeros for anything else.
     GridIndex imageDims() const;

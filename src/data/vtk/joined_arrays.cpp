@@ -1,8 +1,6 @@
 #include "data/vtk/joined_arrays.h"
 
-#include <vtkCellData.h>
 #include <vtkFloatArray.h>
-#include <vtkPointData.h>
 
 #include <algorithm>
 #include <array>
@@ -118,7 +116,7 @@ void makeVectors(vtkDataSet& data, const std::vector<ArrayInfo>& arrays, const A
                  const std::string& path)
 {
     for (const ArrayInfo& array : arrays) {
-        const bool areVectors = vectors && array.name == vectors->name && array.onPoints == vectors->onPoints;
+        const bool areVectors = vectors && sameArray(array, *vectors);
         if (array.of.empty() && !(areVectors && array.components == 2)) continue;
         const std::vector<SourceComponent> found = componentsIn(array, data);
         if (found.empty()) continue;
@@ -133,7 +131,7 @@ void makeVectors(vtkDataSet& data, const std::vector<ArrayInfo>& arrays, const A
             components[*across == 0 ? 1 : 0] = found[0];
             components[*across == 2 ? 1 : 2] = found[1];
         }
-        (array.onPoints ? static_cast<vtkFieldData*>(data.GetPointData()) : data.GetCellData())
+        attributesOf(data, array.onPoints)
             ->AddArray(joinedOf(components, array.name, found.front().array->GetNumberOfTuples()));
     }
 }

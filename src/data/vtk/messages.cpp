@@ -35,6 +35,26 @@ std::string oneLine(const char* text)
     return out.empty() ? "no reason was given" : out;
 }
 
+/// What does no harm: keys that tell the range of an array's values cannot tell an infinite one, and a block of no
+/// points may do without Points.
+bool isHarmless(const std::string& line)
+{
+    return line.starts_with("Error reading InformationKey") || line.starts_with("No Points element available");
+}
+
+/// What does not name the array: the line that follows does.
+bool isVague(const std::string& line)
+{
+    return line.starts_with("Error reading extent") || line.starts_with("Error reading uncompressed") ||
+           line.find("ompression header") != std::string::npos;
+}
+
+std::mutex scopesMutex;
+std::vector<VtkMessages*> scopes;
+vtkSmartPointer<vtkOutputWindow> outletBefore;
+thread_local VtkMessages* innermostScope = nullptr;
+thread_local std::string fileBeingRead;
+
 }  // namespace
 
 /// VTK has one outlet per process: this one, as long as any scope lives.
@@ -51,59 +71,13 @@ public:
     void DisplayWarningText(const char* text) override { keepIfError(text); }
     void DisplayGenericWarningText(const char* text) override { keepIfError(text); }
 
-    static void enter(VtkMessages& scope)
-    {
-        const std::lock_guard lock(mutex);
-        scope.outer_ = std::exchange(innermost, &scope);
-        scopes.push_back(&scope);
-        if (scopes.size() > 1) return;
-        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-        previous = vtkOutputWindow::GetInstance();
-        vtkOutputWindow::SetInstance(vtkSmartPointer<MessageOutlet>::New());
-    }
-    static void leave(VtkMessages& scope)
-    {
-        const std::lock_guard lock(mutex);
-        innermost = scope.outer_;
-        std::erase(scopes, &scope);
-        if (!scopes.empty()) return;
-        vtkOutputWindow::SetInstance(previous);
-        previous = nullptr;
-    }
-    static std::string errorOf(const VtkMessages& scope)
-    {
-        const std::lock_guard lock(mutex);
-        return scope.error_;
-    }
-    static std::string placeOf(const VtkMessages& scope)
-    {
-        const std::lock_guard lock(mutex);
-        return scope.place_;
-    }
-
-    static inline thread_local std::string about;  ///< The file that is read on this thread.
-
 private:
-    /// What does no harm: keys that tell the range of an array's values cannot tell an infinite one, and a block of no
-    /// points may do without Points.
-    static bool isHarmless(const std::string& line)
-    {
-        return line.starts_with("Error reading InformationKey") || line.starts_with("No Points element available");
-    }
-
-    /// What does not name the array: the line that follows does.
-    static bool isVague(const std::string& line)
-    {
-        return line.starts_with("Error reading extent") || line.starts_with("Error reading uncompressed") ||
-               line.find("ompression header") != std::string::npos;
-    }
-
     static void keep(const std::string& line)
     {
         if (isHarmless(line)) return;
-        const std::lock_guard lock(mutex);
-        for (VtkMessages* scope : innermost ? std::vector<VtkMessages*>{innermost} : scopes)
-            if (scope->error_.empty() || isVague(scope->error_)) scope->error_ = line, scope->place_ = about;
+        const std::lock_guard lock(scopesMutex);
+        for (VtkMessages* scope : innermostScope ? std::vector<VtkMessages*>{innermostScope} : scopes)
+            if (scope->error_.empty() || isVague(scope->error_)) scope->error_ = line, scope->place_ = fileBeingRead;
     }
     /// Some readers call it a warning that data ended too early.
     static void keepIfError(const char* text)
@@ -111,38 +85,46 @@ private:
         const std::string line = oneLine(text);
         if (line.starts_with("Error") || line.starts_with("File operation failed")) keep(line);
     }
-
-    static inline std::mutex mutex;
-    static inline std::vector<VtkMessages*> scopes;
-    static inline vtkSmartPointer<vtkOutputWindow> previous;
-    static inline thread_local VtkMessages* innermost = nullptr;
 };
 
 VtkMessages::VtkMessages()
 {
-    MessageOutlet::enter(*this);
+    const std::lock_guard lock(scopesMutex);
+    outer_ = std::exchange(innermostScope, this);
+    scopes.push_back(this);
+    if (scopes.size() > 1) return;
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+    outletBefore = vtkOutputWindow::GetInstance();
+    vtkOutputWindow::SetInstance(vtkSmartPointer<MessageOutlet>::New());
 }
 
 VtkMessages::~VtkMessages()
 {
-    MessageOutlet::leave(*this);
+    const std::lock_guard lock(scopesMutex);
+    innermostScope = outer_;
+    std::erase(scopes, this);
+    if (!scopes.empty()) return;
+    vtkOutputWindow::SetInstance(outletBefore);
+    outletBefore = nullptr;
 }
 
 std::string VtkMessages::firstError() const
 {
-    return MessageOutlet::errorOf(*this);
+    const std::lock_guard lock(scopesMutex);
+    return error_;
 }
 
 std::string VtkMessages::place() const
 {
-    return MessageOutlet::placeOf(*this);
+    const std::lock_guard lock(scopesMutex);
+    return place_;
 }
 
-VtkMessages::About::About(std::string file) : before_(std::exchange(MessageOutlet::about, std::move(file))) {}
+VtkMessages::About::About(std::string file) : before_(std::exchange(fileBeingRead, std::move(file))) {}
 
 VtkMessages::About::~About()
 {
-    MessageOutlet::about = std::move(before_);
+    fileBeingRead = std::move(before_);
 }
 
 }  // namespace aeolic

@@ -36,7 +36,7 @@ private:
     friend class MessageOutlet;
 
     VtkMessages* outer_;         // The next outer scope of this thread.
-    std::string error_, place_;  // Guarded by the outlet's mutex.
+    std::string error_, place_;  // Guarded by the mutex of all scopes.
 };
 
 }  // namespace aeolic

@@ -22,11 +22,15 @@ struct OpenRequest {
     std::optional<double> time;  ///< One of its times; none: the first.
 };
 
+template <PerhapsConst<OpenRequest> Request, class Visit>
+void withMembers(Request& request, const Visit& visit)
+{
+    visit(request.folder, request.path, request.use, request.time);
+}
+
 /// What the file says of itself before any value of it is read: the answer to an OpenRequest.
 struct FileFacts {
-    std::string kind;
     bool announcesArrays = false;
-    bool readsFloats = false;       ///< Values are made floats when they are read.
     bool arraysByParts = false;     ///< Which arrays there are depends on the parts: an ArraysRequest tells.
     std::vector<ArrayInfo> arrays;  ///< Where they are announced and do not depend on the parts.
     std::vector<PartInfo> parts;
@@ -35,11 +39,24 @@ struct FileFacts {
     glm::dvec3 spacingWorld{1};                     ///< Likewise.
 };
 
+template <PerhapsConst<FileFacts> Facts, class Visit>
+void withMembers(Facts& facts, const Visit& visit)
+{
+    visit(facts.announcesArrays, facts.arraysByParts, facts.arrays, facts.parts, facts.timeSteps, facts.wholeExtent,
+          facts.spacingWorld);
+}
+
 /// Which parts are meant (PacketKind::arrays). The answer is their arrays.
 struct ArraysRequest {
     std::vector<std::string> parts;
     std::vector<std::string> atTime;  ///< Arrays that it must have at the time that is read, if it has them at any.
 };
+
+template <PerhapsConst<ArraysRequest> Request, class Visit>
+void withMembers(Request& request, const Visit& visit)
+{
+    visit(request.parts, request.atTime);
+}
 
 /// What is to be read (PacketKind::read).
 struct ReadRequest {
@@ -50,15 +67,10 @@ struct ReadRequest {
     std::optional<std::array<int, 6>> extent;      ///< Only these samples of an image.
 };
 
-void add(ByteWriter& message, const OpenRequest& request);
-void add(ByteWriter& message, const FileFacts& facts);
-void add(ByteWriter& message, const ArraysRequest& request);
-void add(ByteWriter& message, const ReadRequest& request);
-void add(ByteWriter& message, const std::vector<ArrayInfo>& arrays);
-void read(ByteReader& message, OpenRequest& request);
-void read(ByteReader& message, FileFacts& facts);
-void read(ByteReader& message, ArraysRequest& request);
-void read(ByteReader& message, ReadRequest& request);
-void read(ByteReader& message, std::vector<ArrayInfo>& arrays);
+template <PerhapsConst<ReadRequest> Request, class Visit>
+void withMembers(Request& request, const Visit& visit)
+{
+    visit(request.parts, request.arrays, request.polyhedra, request.pieces, request.extent);
+}
 
 }  // namespace aeolic

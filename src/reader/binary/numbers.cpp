@@ -107,28 +107,11 @@ void convertFrom(const std::uint8_t* from, bool swapped, std::span<To> to)
 template <class Number>
 void convertNumbers(const std::uint8_t* from, NumberType type, bool swapped, std::span<Number> to)
 {
-    switch (type) {
-        case NumberType::int8:
-            return convertFrom<std::int8_t>(from, swapped, to);
-        case NumberType::uint8:
-            return convertFrom<std::uint8_t>(from, swapped, to);
-        case NumberType::int16:
-            return convertFrom<std::int16_t>(from, swapped, to);
-        case NumberType::uint16:
-            return convertFrom<std::uint16_t>(from, swapped, to);
-        case NumberType::int32:
-            return convertFrom<std::int32_t>(from, swapped, to);
-        case NumberType::uint32:
-            return convertFrom<std::uint32_t>(from, swapped, to);
-        case NumberType::int64:
-            return convertFrom<std::int64_t>(from, swapped, to);
-        case NumberType::uint64:
-            return convertFrom<std::uint64_t>(from, swapped, to);
-        case NumberType::float32:
-            return convertFrom<float>(from, swapped, to);
-        case NumberType::float64:
-            return convertFrom<double>(from, swapped, to);
-    }
+    constexpr void (*convert[])(const std::uint8_t*, bool, std::span<Number>) = {
+        convertFrom<std::int8_t>,  convertFrom<std::uint8_t>,  convertFrom<std::int16_t>, convertFrom<std::uint16_t>,
+        convertFrom<std::int32_t>, convertFrom<std::uint32_t>, convertFrom<std::int64_t>, convertFrom<std::uint64_t>,
+        convertFrom<float>,        convertFrom<double>};
+    convert[std::size_t(type)](from, swapped, to);
 }
 
 template void convertNumbers(const std::uint8_t*, NumberType, bool, std::span<float>);

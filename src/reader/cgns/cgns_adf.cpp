@@ -10,7 +10,7 @@
 #include "data/named_file.h"
 #include "reader/binary/filled_text.h"
 #include "reader/binary/slab.h"
-#include "reader/cgns/cgns_object.h"
+#include "reader/cgns/cgns_node.h"
 #include "reader/hdf5/hdf5_lock.h"
 
 namespace aeolic {
@@ -69,26 +69,29 @@ std::optional<NumberType> typeNamed(const std::string& name)
     return std::nullopt;
 }
 
-class AdfNode final : public CgnsObject {
+/// What `get` of the library tells of a node in a text.
+std::string adfText(const AdfFile& file, double id, int (*get)(int, double, char*))
+{
+    const Hdf5Lock lock;
+    Name text{};
+    file.sound(get(file.number(), id, text.data()));
+    return withoutFilling(text.data());
+}
+
+class AdfNode final : public CgnsNode {
 public:
-    AdfNode(std::shared_ptr<const AdfFile> file, double id, std::string name)
-        : file_(std::move(file)), id_(id), name_(std::move(name))
+    AdfNode(std::shared_ptr<const AdfFile> file, double id, std::string path, std::string name)
+        : CgnsNode(file->path(), std::move(path), std::move(name), adfText(*file, id, cgio_get_label)),
+          file_(std::move(file)),
+          id_(id),
+          type_(typeNamed(adfText(*file_, id, cgio_get_data_type)))
     {
         const Hdf5Lock lock;
-        Name text{};
-        file_->sound(cgio_get_label(file_->number(), id_, text.data()));
-        label_ = withoutFilling(text.data());
-        file_->sound(cgio_get_data_type(file_->number(), id_, text.data()));
-        type_ = typeNamed(withoutFilling(text.data()));
         int rank = 0;
         std::array<cgsize_t, CGIO_MAX_DIMENSIONS> lengths{};
         file_->sound(cgio_get_dimensions(file_->number(), id_, &rank, lengths.data()));
         for (int i = 0; i < rank; ++i) shape_.push_back(std::uint64_t(std::max<cgsize_t>(lengths[std::size_t(i)], 0)));
     }
-
-    const std::string& file() const override { return file_->path(); }
-    const std::string& name() const override { return name_; }
-    const std::string& label() const override { return label_; }
 
     std::vector<std::string> names() const override
     {
@@ -104,36 +107,36 @@ public:
         return names;
     }
 
-    std::shared_ptr<const CgnsObject> child(const std::string& name) const override
+    CgnsNodePtr child(const std::string& name) const override
     {
         const Hdf5Lock lock;
         double id = 0;
         if (name.size() > CGIO_MAX_NAME_LENGTH || cgio_get_node_id(file_->number(), id_, name.c_str(), &id) != 0)
             return nullptr;
-        return std::make_shared<AdfNode>(file_, id, name_ == "/" ? "/" + name : name_ + "/" + name);
+        return std::make_shared<AdfNode>(file_, id, path() == "/" ? "/" + name : path() + "/" + name, name);
     }
 
     bool hasValue() const override { return type_ && !shape_.empty(); }
     std::optional<NumberType> type() const override { return hasValue() ? type_ : std::nullopt; }
     std::vector<std::uint64_t> shape() const override { return shape_; }
 
-    void read(const Places& first, const Places& count, const Target& target) const override
+private:
+    void readTo(const Target& target, const Places& first, const Places& count) const override
     {
         std::visit([&](auto* to) { readAs(first, count, *to); }, target);
     }
 
-private:
     template <class Number>
     void readAs(const Places& first, const Places& count, std::vector<Number>& to) const
     {
         if (!isWithin({first, count}, shape_))
-            throw InputError(file(), fmt::format("'{}' has fewer numbers than are to be read", name_),
+            throw InputError(file(), fmt::format("'{}' has fewer numbers than are to be read", path()),
                              "a complete, undamaged file");
         // ADF packs nothing. So a file has all that its nodes claim to hold.
         std::uint64_t all = bytesOf(*type_);
         for (const std::uint64_t length : count)
             if (__builtin_mul_overflow(all, length, &all) || all > file_->bytes())
-                throw InputError(file(), fmt::format("'{}' claims to hold more than the file", name_),
+                throw InputError(file(), fmt::format("'{}' claims to hold more than the file", path()),
                                  "a complete, undamaged file");
         all /= bytesOf(*type_);
         to.resize(all);
@@ -155,7 +158,6 @@ private:
 
     std::shared_ptr<const AdfFile> file_;
     double id_;
-    std::string name_, label_;
     std::optional<NumberType> type_;
     std::vector<std::uint64_t> shape_;
 };
@@ -169,13 +171,13 @@ bool isAdf(const std::string& path)
     return std::string(start, sizeof start).find("ADF Database") != std::string::npos;
 }
 
-std::shared_ptr<const CgnsObject> openAdfCgns(const std::string& path)
+CgnsNodePtr openAdfCgns(const std::string& path)
 {
     const auto file = std::make_shared<const AdfFile>(path);
     double root = 0;
     const Hdf5Lock lock;
     file->sound(cgio_get_root_id(file->number(), &root));
-    return std::make_shared<AdfNode>(file, root, "/");
+    return std::make_shared<AdfNode>(file, root, "/", "/");
 }
 
 }  // namespace aeolic

@@ -40,7 +40,7 @@ CellFaces CgnsZone::structuredFaces(const CgnsBoundary& boundary) const
     CellFaces found;
     if (!boundary.range || boundary.numbers.size() != 2 * indices || indices != 3 || dimension_ < 3) {
         if (dimension_ < 3) return found;  // Of a sheet it is a line.
-        boundary.node.fail("it lists its points or faces one by one", "a PointRange, in a structured zone");
+        boundary.node->fail("it lists its points or faces one by one", "a PointRange, in a structured zone");
     }
     Wholes first(indices), last(indices);
     for (std::size_t d = 0; d < indices; ++d) {
@@ -48,12 +48,12 @@ CellFaces CgnsZone::structuredFaces(const CgnsBoundary& boundary) const
         last[d] = std::max(boundary.numbers[d], boundary.numbers[indices + d]);
     }
     const auto direction = directionOf(boundary, first, last, vertices_);
-    if (!direction) boundary.node.fail("its range is not one layer", "one direction in which it begins where it ends");
+    if (!direction) boundary.node->fail("its range is not one layer", "one direction in which it begins where it ends");
     for (std::size_t d = 0; d < indices; ++d) {
         if (!boundary.byPoints && d != *direction) ++last[d];  // Of faces: the points behind the last.
         if (first[d] < 1 || last[d] > vertices_[d])
-            boundary.node.fail(fmt::format("its range goes from {} to {}", first[d], last[d]),
-                               fmt::format("1 to {} in the direction {}", vertices_[d], "ijk"[d]));
+            boundary.node->fail(fmt::format("its range goes from {} to {}", first[d], last[d]),
+                                fmt::format("1 to {} in the direction {}", vertices_[d], "ijk"[d]));
     }
     const std::size_t d = *direction, a = (d + 1) % 3, b = (d + 2) % 3;
     const std::int64_t steps[] = {1, vertices_[0], vertices_[0] * vertices_[1]};
@@ -80,10 +80,10 @@ Wholes CgnsZone::numbersOf(const CgnsBoundary& boundary, std::int64_t most) cons
     const Wholes& numbers = boundary.numbers;
     for (const std::int64_t number : numbers)
         if (number < 1 || number > most)
-            boundary.node.fail(fmt::format("it has the number {}", number), fmt::format("1 to {}", most));
+            boundary.node->fail(fmt::format("it has the number {}", number), fmt::format("1 to {}", most));
     if (!boundary.range) return numbers;
     if (numbers.size() != 2 || numbers[1] < numbers[0])
-        boundary.node.fail(fmt::format("its range is {}", fmt::join(numbers, " to ")), "first and last");
+        boundary.node->fail(fmt::format("its range is {}", fmt::join(numbers, " to ")), "first and last");
     Wholes all(std::size_t(numbers[1] - numbers[0]) + 1);
     std::iota(all.begin(), all.end(), numbers[0]);
     return all;
@@ -109,7 +109,7 @@ CellFaces CgnsZone::listedFaces(const CgnsBoundary& boundary, bool behind) const
         });
         const std::size_t at = place == known.end() ? 0 : std::size_t(number - place->first->first);
         if (place == known.end() || at >= place->second.count() || place->second.face(at).empty())
-            boundary.node.fail(fmt::format("the element {} is not a face", number), "faces of the zone");
+            boundary.node->fail(fmt::format("the element {} is not a face", number), "faces of the zone");
         found.faces.add(place->second.face(at));
         const Wholes none, &own = behind ? parents[place->first] : none;
         found.cells.push_back(at < own.size() ? own[at] : -1);
@@ -149,8 +149,8 @@ CellFaces CgnsZone::facesBetween(const CgnsBoundary& boundary, bool behind) cons
 /// not counted as they are numbered.
 Wholes CgnsZone::parentsOf(const CgnsSection& section) const
 {
-    const auto node = section.node.child("ParentElements");
-    const auto old = section.node.child("ParentData");
+    const auto node = section.node->child("ParentElements");
+    const auto old = section.node->child("ParentData");
     Wholes parents = node ? node->wholes() : old ? old->wholes() : Wholes();
     if (parents.size() < section.count()) return {};
     parents.resize(section.count());

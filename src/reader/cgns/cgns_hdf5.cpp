@@ -7,13 +7,13 @@
 
 #include "aeolic/error.h"
 #include "reader/binary/filled_text.h"
-#include "reader/cgns/cgns_object.h"
+#include "reader/cgns/cgns_node.h"
 #include "reader/hdf5/hdf5_file.h"
 
 namespace aeolic {
 namespace {
 
-constexpr char kData[] = " data";
+constexpr char kData[] = " data", kPath[] = "a path to a node";
 
 /// The files that a CGNS tree stands in: links lead from one to others.
 class Files {
@@ -36,16 +36,14 @@ private:
 };
 
 /// A node of a CGNS file in HDF5. It is a group with a label, and its value is the data set " data".
-class Hdf5Node final : public CgnsObject {
+class Hdf5Node final : public CgnsNode {
 public:
-    Hdf5Node(std::shared_ptr<Files> files, Hdf5Object object)
-        : files_(std::move(files)), object_(std::move(object)), label_(object_.text("label").value_or(""))
+    Hdf5Node(std::shared_ptr<Files> files, const Hdf5Object& object, std::string name)
+        : CgnsNode(object.file(), object.name(), std::move(name), object.text("label").value_or("")),
+          files_(std::move(files)),
+          object_(object)
     {
     }
-
-    const std::string& file() const override { return object_.file(); }
-    const std::string& name() const override { return object_.name(); }
-    const std::string& label() const override { return label_; }
 
     std::vector<std::string> names() const override
     {
@@ -54,7 +52,7 @@ public:
         return names;
     }
 
-    std::shared_ptr<const CgnsObject> child(const std::string& name) const override { return find(name); }
+    CgnsNodePtr child(const std::string& name) const override { return find(name); }
 
     bool hasValue() const override { return value().has_value(); }
     std::optional<NumberType> type() const override
@@ -69,16 +67,12 @@ public:
         return {data->shape().rbegin(), data->shape().rend()};
     }
 
-    void read(const Places& first, const Places& count, const Target& target) const override
-    {
-        std::visit([&](auto* to) { readAs(first, count, *to); }, target);
-    }
-
 private:
-    template <class Number>
-    void readAs(const Places& first, const Places& count, std::vector<Number>& to) const
+    void readTo(const Target& target, const Places& first, const Places& count) const override
     {
-        to = value()->read<Number>({{first.rbegin(), first.rend()}, {count.rbegin(), count.rend()}});
+        const Slab slab{{first.rbegin(), first.rend()}, {count.rbegin(), count.rend()}};
+        const Hdf5Object data = *value();
+        std::visit([&]<class Number>(std::vector<Number>* to) { *to = data.read<Number>(slab); }, target);
     }
 
     std::optional<Hdf5Object> value() const
@@ -92,7 +86,7 @@ private:
     {
         const auto found = object_.find(name);
         if (!found || found->isDataSet()) return nullptr;
-        const auto node = std::make_shared<Hdf5Node>(files_, *found);
+        const auto node = std::make_shared<const Hdf5Node>(files_, *found, name);
         return found->text("type") == "LK" ? node->target() : node;
     }
 
@@ -107,35 +101,30 @@ private:
             return text.erase(std::min(text.find('\0'), text.size()));
         };
         const std::string path = textOf(" path"), named = textOf(" file");
-        if (path.empty()) fail("its link leads nowhere");
-        auto at = std::make_shared<const Hdf5Node>(files_,
-                                                   named.empty() ? object_.require("/") : files_->open(named, file()));
+        if (path.empty()) fail("its link leads nowhere", kPath);
+        auto at = std::make_shared<const Hdf5Node>(
+            files_, named.empty() ? object_.require("/") : files_->open(named, file()), "/");
         for (std::size_t begin = 0; begin < path.size();) {
             const std::size_t end = std::min(path.find('/', begin), path.size());
             if (end > begin) at = at->find(path.substr(begin, end - begin));
             if (!at)
                 fail(fmt::format("its link leads to '{}', which is not in {}", withoutFilling(path),
-                                 named.empty() ? "the file" : withoutFilling(named)));
+                                 named.empty() ? "the file" : withoutFilling(named)),
+                     kPath);
             begin = end + 1;
         }
-        return at;
-    }
-
-    [[noreturn]] void fail(const std::string& found) const
-    {
-        throw InputError(file(), fmt::format("'{}': {}", name(), found), "a path to a node");
+        return std::make_shared<const Hdf5Node>(files_, at->object_, name());
     }
 
     std::shared_ptr<Files> files_;
     Hdf5Object object_;
-    std::string label_;
 };
 
 }  // namespace
 
-std::shared_ptr<const CgnsObject> openHdf5Cgns(const std::string& path)
+CgnsNodePtr openHdf5Cgns(const std::string& path)
 {
-    return std::make_shared<Hdf5Node>(std::make_shared<Files>(), Hdf5Object::openFile(path));
+    return std::make_shared<Hdf5Node>(std::make_shared<Files>(), Hdf5Object::openFile(path), "/");
 }
 
 }  // namespace aeolic

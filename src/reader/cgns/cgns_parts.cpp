@@ -13,14 +13,14 @@
 namespace aeolic {
 namespace {
 
-std::vector<double> timesOf(const std::vector<CgnsNode>& bases)
+std::vector<double> timesOf(const std::vector<CgnsNodePtr>& bases)
 {
-    for (const CgnsNode& base : bases) {
-        const auto iterative = base.childOf("BaseIterativeData_t");
+    for (const CgnsNodePtr& base : bases) {
+        const auto iterative = base->childOf("BaseIterativeData_t");
         for (const char* name : {"TimeValues", "IterationValues"}) {
-            const auto values = iterative ? iterative->child(name) : std::nullopt;
+            const auto values = iterative ? iterative->child(name) : nullptr;
             if (!values || !values->hasValue()) continue;
-            std::vector<double> times = values->reals();
+            std::vector<double> times = values->read<double>();
             for (std::size_t i = 0; i < times.size(); ++i)
                 if (!std::isfinite(times[i]) || (i > 0 && times[i] <= times[i - 1]))
                     values->fail(fmt::format("its time {} is {}", i, times[i]), "times that are finite and increase");
@@ -38,21 +38,21 @@ struct Joined {
 
 class CgnsParts : public PartSource {
 public:
-    CgnsParts(const std::string& path, std::optional<double> time) : path_(path)
+    CgnsParts(const std::string& path, std::optional<double> time)
     {
-        const CgnsNode root = CgnsNode::openFile(path);
-        const std::vector<CgnsNode> bases = root.children("CGNSBase_t");
+        const CgnsNodePtr root = openCgnsTree(path);
+        const std::vector<CgnsNodePtr> bases = root->children("CGNSBase_t");
         times_ = timesOf(bases);
         std::size_t step = 0;
         for (std::size_t i = 0; time && i < times_.size(); ++i)
             if (times_[i] <= *time) step = i;
         bool flat = true;
-        for (const CgnsNode& base : bases) {
-            const std::vector<std::int64_t> dimensions = base.wholes();
+        for (const CgnsNodePtr& base : bases) {
+            const std::vector<std::int64_t> dimensions = base->wholes();
             flat = flat && dimensions.size() > 1 && dimensions[1] == 2;
-            for (const CgnsNode& zone : base.children("Zone_t")) {
+            for (const CgnsNodePtr& zone : base->children("Zone_t")) {
                 zones_.push_back(std::make_unique<CgnsZone>(base, zone, step));
-                addParts(*zones_.back(), bases.size() > 1 ? base.name() + "/" : "");
+                addParts(*zones_.back(), bases.size() > 1 ? base->name() + "/" : "");
             }
         }
         if (zones_.empty()) throw InputError(path, "it has no zones", "a CGNS file with a grid");
@@ -105,14 +105,14 @@ private:
             if (zone.structured() && !boundary.range) continue;
             std::vector<std::string> groups = boundary.groups;
             if (std::find(groups.begin(), groups.end(), boundary.type) == groups.end()) groups.push_back(boundary.type);
-            names.insert(boundary.node.name());
-            parts_.push_back({base + zone.name() + "/" + boundary.node.name(), boundary.type, groups, 2, true, true});
+            names.insert(boundary.node->name());
+            parts_.push_back({base + zone.name() + "/" + boundary.node->name(), boundary.type, groups, 2, true, true});
             places_.push_back({&zone, &boundary});
         }
         const bool bounded = !names.empty();
         for (const CgnsSection& section : zone.sections()) {
-            if (section.dimension != 2 || section.count() == 0 || !names.insert(section.node.name()).second) continue;
-            parts_.push_back({base + zone.name() + "/" + section.node.name(), "faces", {}, 2, !bounded, true});
+            if (section.dimension != 2 || section.count() == 0 || !names.insert(section.node->name()).second) continue;
+            parts_.push_back({base + zone.name() + "/" + section.node->name(), "faces", {}, 2, !bounded, true});
             places_.push_back({&zone, nullptr, &section});
         }
     }
@@ -135,7 +135,7 @@ private:
                 if (field.onPoints != onPoints || std::find(names.begin(), names.end(), field.name) != names.end())
                     return;
                 names.push_back(field.name);
-                types.push_back(*field.node.type());
+                types.push_back(*field.node->type());
             };
             for (const auto& zone : zones_) {
                 for (const CgnsField& field : zone->fields()) add(field);
@@ -203,10 +203,10 @@ private:
                            const CellFaces& faces, std::vector<float>& onFaces)
     {
         if (!region.place) {
-            if (!place.boundary || place.boundary->node.name() != region.boundary) return;
+            if (!place.boundary || place.boundary->node->name() != region.boundary) return;
             if (values.size() != faces.cells.size())
-                place.boundary->node.fail(fmt::format("there are {} values on its faces", values.size()),
-                                          fmt::format("{}", faces.cells.size()));
+                place.boundary->node->fail(fmt::format("there are {} values on its faces", values.size()),
+                                           fmt::format("{}", faces.cells.size()));
             onFaces = values;
             return;
         }
@@ -215,7 +215,7 @@ private:
         const std::int64_t last = place.zone->lastElement();
         const auto at = place.zone->numbersOf(*region.place, last), wanted = place.zone->numbersOf(own, last);
         if (at.size() != values.size())
-            region.place->node.fail(fmt::format("it has {} values", values.size()), fmt::format("{}", at.size()));
+            region.place->node->fail(fmt::format("it has {} values", values.size()), fmt::format("{}", at.size()));
         std::unordered_map<std::int64_t, float> byNumber;
         for (std::size_t i = 0; i < at.size(); ++i) byNumber.emplace(at[i], values[i]);
         onFaces.resize(faces.cells.size(), kMissing);
@@ -228,7 +228,6 @@ private:
         return {section.node, "", {}, false, "FaceCenter", true, {section.first, section.last}};
     }
 
-    std::string path_;
     std::vector<double> times_;
     std::vector<std::unique_ptr<CgnsZone>> zones_;
     std::vector<PartInfo> parts_;

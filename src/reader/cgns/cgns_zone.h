@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "reader/cgns/cgns_elements.h"
-#include "reader/cgns/cgns_tree.h"
+#include "reader/cgns/cgns_node.h"
 #include "reader/parts/cell_faces.h"
 
 namespace aeolic {
 
 /// A run of elements of a zone that is not structured.
 struct CgnsSection {
-    CgnsNode node;
+    CgnsNodePtr node;
     std::int64_t type = 0, first = 1, last = 0;
     int dimension = 0;  ///< Of its elements; of the first where it is mixed.
 
@@ -22,7 +22,7 @@ struct CgnsSection {
 
 /// Faces of a zone's edge, by what the file says of them.
 struct CgnsBoundary {
-    CgnsNode node;
+    CgnsNodePtr node;
     std::string type;                   ///< "BCWall"
     std::vector<std::string> groups;    ///< Its families.
     bool byPoints = false;              ///< The numbers below are those of points, else of faces.
@@ -34,7 +34,7 @@ struct CgnsBoundary {
 /// Values of a zone: one component.
 struct CgnsField {
     std::string name;
-    CgnsNode node;
+    CgnsNodePtr node;
     bool onPoints = true;
     std::vector<std::int64_t> rind;  ///< Layers around the zone, before and behind in each direction.
 };
@@ -50,9 +50,9 @@ struct CgnsRegion {
 class CgnsZone {
 public:
     /// `step`: which of the file's times. Throws InputError, which begins with the file's name.
-    CgnsZone(const CgnsNode& base, const CgnsNode& zone, std::size_t step);
+    CgnsZone(const CgnsNodePtr& base, const CgnsNodePtr& zone, std::size_t step);
 
-    const std::string& name() const { return node_.name(); }
+    const std::string& name() const { return node_->name(); }
     bool structured() const { return structured_; }
     int dimension() const { return dimension_; }  ///< Of the cells that a solution in the cells is for.
     std::vector<std::string> families() const;
@@ -77,33 +77,34 @@ public:
     std::vector<float> read(const CgnsField& field) const;
     std::vector<float> readList(const CgnsField& field) const;  ///< As many as there are.
 
-    [[noreturn]] void fail(const std::string& found, const std::string& expected) const { node_.fail(found, expected); }
+    [[noreturn]] void fail(const std::string& found, const std::string& expected) const
+    {
+        node_->fail(found, expected);
+    }
 
 private:
     void readSize(int cellDimension);
     void readSections();
     void readFields(std::size_t step);
-    void readBoundaries(const CgnsNode& base);
-    CgnsBoundary placeOf(const CgnsNode& node) const;
-    std::vector<CgnsNode> chosen(const std::string& label, const std::string& pointers, std::size_t step) const;
+    void readBoundaries(const CgnsNodePtr& base);
+    CgnsBoundary placeOf(const CgnsNodePtr& node) const;
+    std::vector<CgnsNodePtr> chosen(const std::string& label, const std::string& pointers, std::size_t step) const;
 
     std::size_t pointCount() const;
     std::vector<std::int64_t> cellLengths() const;
     std::vector<PartCells> cellsOf(const CgnsSection& section) const;
     std::vector<PartCells> polyhedra() const;
     FaceList facesByNumber(const CgnsSection& section) const;
-    std::vector<std::int64_t> connectivity(const CgnsSection& section) const;
-    std::optional<std::vector<std::int64_t>> offsets(const CgnsSection& section) const;
     CellFaces structuredFaces(const CgnsBoundary& boundary) const;
     CellFaces listedFaces(const CgnsBoundary& boundary, bool behind) const;
     CellFaces facesBetween(const CgnsBoundary& boundary, bool behind) const;
     std::vector<std::int64_t> parentsOf(const CgnsSection& section) const;
     std::int64_t cellByNumber(std::int64_t number) const;
     template <class Number>
-    std::vector<Number> readWithout(const CgnsNode& node, const std::vector<std::int64_t>& rind,
+    std::vector<Number> readWithout(const CgnsNodePtr& node, const std::vector<std::int64_t>& rind,
                                     const std::vector<std::int64_t>& lengths) const;
 
-    CgnsNode node_;
+    CgnsNodePtr node_;
     bool structured_ = false;
     int dimension_ = 3;
     std::vector<std::int64_t> vertices_;  // In each direction of a structured zone, else their number.
@@ -111,7 +112,7 @@ private:
     std::vector<CgnsBoundary> boundaries_;
     std::vector<CgnsField> fields_;
     std::vector<CgnsRegion> regions_;
-    std::optional<CgnsNode> coordinates_;
+    CgnsNodePtr coordinates_;
     mutable PartPoints points_;
 };
 

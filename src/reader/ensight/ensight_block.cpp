@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/memory.h"
 #include "reader/ensight/ensight_geometry.h"
-#include "reader/ensight/ensight_times.h"
+#include "reader/ensight/ensight_words.h"
+#include "reader/parts/ordered_cells.h"
 
 namespace aeolic {
 namespace {
@@ -27,40 +29,6 @@ std::size_t pointsOf(const EnSightStream& stream, const Dims& dims)
         points *= n;
     }
     return points;
-}
-
-/// Hexahedra, or quads where the block is one layer.
-EnSightSection cellsOf(const Dims& dims)
-{
-    EnSightSection section;
-    section.name = "block";
-    section.count = 1;
-    std::array<std::size_t, 3> step{1, dims[0], dims[0] * dims[1]};  // From a point to the next in x, y, z.
-    std::vector<int> axes;
-    for (int axis = 0; axis < 3; ++axis)
-        if (dims[std::size_t(axis)] > 1) {
-            axes.push_back(axis);
-            section.count *= dims[std::size_t(axis)] - 1;
-        }
-    section.kept = axes.size() >= 2;
-    section.element = findEnSightElement(axes.size() == 3 ? "hexa8" : "quad4");
-    if (!section.kept) return section;
-    section.corners.reserve(section.count * section.element->corners);
-    const Dims cells{std::max<std::size_t>(1, dims[0] - 1), std::max<std::size_t>(1, dims[1] - 1),
-                     std::max<std::size_t>(1, dims[2] - 1)};
-    const std::size_t a = step[std::size_t(axes[0])], b = step[std::size_t(axes[1])],
-                      up = axes.size() == 3 ? step[2] : 0;
-    for (std::size_t k = 0; k < cells[2]; ++k)
-        for (std::size_t j = 0; j < cells[1]; ++j)
-            for (std::size_t i = 0; i < cells[0]; ++i) {
-                const std::size_t first = i + step[1] * j + step[2] * k;
-                for (const std::size_t base : {first, first + up}) {
-                    for (const std::size_t corner : {base, base + a, base + a + b, base + b})
-                        section.corners.push_back(std::int32_t(corner));
-                    if (up == 0) break;
-                }
-            }
-    return section;
 }
 
 /// The points of three axes' coordinates, x fastest.
@@ -89,11 +57,11 @@ void readEnSightBlock(EnSightStream& stream, const std::string& kind, EnSightPar
                         "a block without blanked points, ghosts or a range");
     }
     Dims dims{};
-    const std::vector<std::int32_t> numbers = stream.integers(3, "the size of a block");
-    for (std::size_t axis = 0; axis < 3; ++axis) dims[axis] = numbers[axis] < 0 ? 0 : std::size_t(numbers[axis]);
+    const std::vector<std::int64_t> lengths = stream.integers(3, "the size of a block");
+    for (std::size_t axis = 0; axis < 3; ++axis) dims[axis] = std::size_t(std::max<std::int64_t>(lengths[axis], 0));
     const std::size_t points = pointsOf(stream, dims);
-    stream.requireRoom(fmt::format("a block of {} x {} x {} points", dims[0], dims[1], dims[2]),
-                       points * kBytesOfPoint);
+    requireMemory(stream.path(), fmt::format("a block of {} x {} x {} points", dims[0], dims[1], dims[2]),
+                  points * kBytesOfPoint);
     if (uniform) {
         const std::vector<float> origin = readEnSightCoordinates(stream, 3), delta = readEnSightCoordinates(stream, 3);
         std::array<std::vector<float>, 3> axes;
@@ -109,7 +77,11 @@ void readEnSightBlock(EnSightStream& stream, const std::string& kind, EnSightPar
         for (std::vector<float>& axis : part.points) axis = readEnSightCoordinates(stream, points);
     }
     part.block = true;
-    part.sections.push_back(cellsOf(dims));
+    std::size_t count = 1;  // A direction of one point counts as one cell.
+    for (const std::size_t n : dims) count *= std::max<std::size_t>(n - 1, 1);
+    PartCells cells = orderedCells(lengths);
+    const bool kept = cells.count > 0;
+    part.sections.push_back({"block", count, kept, std::move(cells)});
 }
 
 }  // namespace aeolic

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 
 #include "aeolic/error.h"
-#include "reader/ensight/ensight_times.h"
+#include "base/text.h"
+#include "reader/ensight/ensight_words.h"
 
 namespace aeolic {
 namespace {
@@ -41,15 +44,21 @@ public:
                              "a case file of EnSight 6 or Gold");
         if (case_.isForVtk) return case_;
         if (case_.geometry.pattern.empty()) throw InputError(path_, "it names no geometry", "'model:' under GEOMETRY");
-        case_.timeSets = times_.finish([this](const std::string& found, const std::string& expected) {
-            throw InputError(path_, found, expected);
-        });
+        for (const TimeSet& set : timeSets_) case_.timeSets.push_back(timesOf(set));
         requireFiles(case_.geometry);
         for (EnSightVariable& variable : case_.variables) requireFiles(variable.file);
         return case_;
     }
 
 private:
+    /// What is said of one so far.
+    struct TimeSet {
+        int number = 0;
+        std::size_t steps = 0;  // 0: it is not said.
+        long start = 0, increment = 1;
+        std::vector<std::string> values, numbers;
+    };
+
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const
     {
         throw InputError(path_, fmt::format("line {} {}", line_, found), expected);
@@ -72,8 +81,7 @@ private:
             key_.clear();
             for (const std::string& word : ensightWords(line.substr(0, colon)))
                 key_ += (key_.empty() ? "" : " ") + word;
-            for (char& c : key_)
-                if (c >= 'A' && c <= 'Z') c = char(c + 32);
+            key_ = lowerCase(key_);
             value = line.substr(colon + 1);
         }
         const std::vector<std::string> words = ensightWords(value);
@@ -86,9 +94,7 @@ private:
         if (section_ == "VARIABLE") takeVariable(words);
         if (section_ == "FILE" && (key_ == "file set" || key_ == "filename index" || key_ == "number of steps"))
             takeFileSet(words);
-        if (section_ == "TIME")
-            times_.take(key_, words,
-                        [this](const std::string& found, const std::string& expected) { fail(found, expected); });
+        if (section_ == "TIME") takeTimes(words);
     }
 
     void takeGeometry(std::vector<std::string> words)
@@ -131,22 +137,83 @@ private:
         return file;
     }
 
-    void takeFileSet(const std::vector<std::string>& words)
+    int wholeOf(const std::vector<std::string>& words, int least = std::numeric_limits<int>::min()) const
     {
         const auto whole = ensightNumber<int>(words.size() == 1 ? words[0] : "");
-        if (!whole || *whole < 0 || (key_ == "file set" && *whole < 1))
-            fail("has no whole number", "'" + key_ + ": N'");
+        if (!whole || *whole < least) fail("has no whole number", "'" + key_ + ": N'");
+        return *whole;
+    }
+
+    /// A line of numbers belongs to the key above it.
+    void takeTimes(const std::vector<std::string>& words)
+    {
+        if (key_ == "time set") {
+            const int number = ensightNumber<int>(words.empty() ? "" : words[0]).value_or(0);
+            if (number < 1) fail("names no time set", "'time set: N', from 1");
+            for (const TimeSet& other : timeSets_)
+                if (other.number == number) fail(fmt::format("has time set {} once more", number), "each set once");
+            timeSets_.push_back({number, 0, 0, 1, {}, {}});
+            return;
+        }
+        if (key_.ends_with("file")) fail("names a file of times", "'time values:' in the case file");
+        if (timeSets_.empty()) fail("belongs to no time set", "'time set: N' above it");
+        TimeSet& set = timeSets_.back();
+        if (key_ == "number of steps") {
+            const int steps = wholeOf(words);
+            if (steps < 1) fail(fmt::format("says {} steps", steps), "1 or more");
+            set.steps = std::size_t(steps);
+        } else if (key_ == "filename start number") {
+            set.start = wholeOf(words);
+        } else if (key_ == "filename increment") {
+            set.increment = wholeOf(words);
+        } else if (key_ == "time values") {
+            set.values.insert(set.values.end(), words.begin(), words.end());
+        } else if (key_ == "filename numbers") {
+            set.numbers.insert(set.numbers.end(), words.begin(), words.end());
+        }
+    }
+
+    /// Throws where the set is not whole, or its times do not increase.
+    EnSightTimes timesOf(const TimeSet& set) const
+    {
+        const auto bad = [&](const std::string& found, const std::string& expected) {
+            throw InputError(path_, fmt::format("time set {} {}", set.number, found), expected);
+        };
+        EnSightTimes times{set.number, {}, set.numbers};
+        if (set.steps == 0) bad("does not say how many steps it has", "'number of steps: N'");
+        const std::string each = fmt::format("{}, one for each step", set.steps);
+        if (set.values.size() != set.steps) bad(fmt::format("has {} time values", set.values.size()), each);
+        for (const std::string& word : set.values) {
+            const double value = ensightNumber<double>(word).value_or(std::numeric_limits<double>::quiet_NaN());
+            if (!std::isfinite(value)) bad(fmt::format("has the time '{}'", word), "finite numbers");
+            if (!times.values.empty() && value <= times.values.back())
+                bad(fmt::format("has the time {} after {}", value, times.values.back()), "times that increase");
+            times.values.push_back(value);
+        }
+        if (times.numbers.empty())
+            for (std::size_t i = 0; i < set.steps; ++i)
+                times.numbers.push_back(std::to_string(set.start + long(i) * set.increment));
+        if (times.numbers.size() != set.steps) bad(fmt::format("has {} filename numbers", times.numbers.size()), each);
+        for (const std::string& number : times.numbers)
+            if (!ensightNumber<long>(number).has_value() || number[0] == '-')
+                bad(fmt::format("has the filename number '{}'", number), "whole numbers from 0");
+        return times;
+    }
+
+    void takeFileSet(const std::vector<std::string>& words)
+    {
+        const int whole = wholeOf(words, key_ == "file set" ? 1 : 0);
         std::vector<EnSightFileSet>& sets = case_.fileSets;
         if (key_ == "file set")
-            sets.push_back({*whole, {}});
+            sets.push_back({whole, {}});
         else if (sets.empty())
             fail("belongs to no file set", "'file set: N' above it");
         else if (key_ == "filename index")
             sets.back().files.push_back({words[0], 0});
         else if (sets.back().files.empty() || sets.back().files.back().count > 0)
-            sets.back().files.push_back({"", std::size_t(*whole)});
+            sets.back().files.push_back({"", std::size_t(whole)});
         else
-            sets.back().files.back().count = std::size_t(*whole);
+            sets.back().files.back().count = std::size_t(whole);
     }
 
     void requireFiles(EnSightFile& file)
@@ -184,7 +251,7 @@ private:
     int line_ = 0;
     bool gold_ = false;
     EnSightCase case_;
-    EnSightTimeText times_;
+    std::vector<TimeSet> timeSets_;
 };
 
 }  // namespace

@@ -4,22 +4,55 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 
 namespace aeolic {
 namespace {
 
 constexpr float kFarthest = 1e30F;
 
+using Shape = CellShape;
+
+struct EnSightElement {
+    std::string_view name;
+    std::size_t nodes;  ///< In the file; 0 where each element has its own number.
+    int dimension;      ///< 3: it fills space.
+    Shape shape;        ///< Of its corners, which come first. Without meaning where the dimension is below 2.
+};
+
+constexpr EnSightElement elements[] = {
+    {"point", 1, 0, Shape::triangle},     {"bar2", 2, 1, Shape::triangle},    {"bar3", 3, 1, Shape::triangle},
+    {"tria3", 3, 2, Shape::triangle},     {"tria6", 6, 2, Shape::triangle},   {"quad4", 4, 2, Shape::quad},
+    {"quad8", 8, 2, Shape::quad},         {"nsided", 0, 2, Shape::polygon},   {"tetra4", 4, 3, Shape::tetra},
+    {"tetra10", 10, 3, Shape::tetra},     {"pyramid5", 5, 3, Shape::pyramid}, {"pyramid13", 13, 3, Shape::pyramid},
+    {"penta6", 6, 3, Shape::wedge},       {"penta15", 15, 3, Shape::wedge},   {"hexa8", 8, 3, Shape::hexahedron},
+    {"hexa20", 20, 3, Shape::hexahedron}, {"nfaced", 0, 3, Shape::polyhedron}};
+
+bool isGhost(std::string_view name)
+{
+    return name.starts_with("g_");
+}
+
+/// Null for an unknown name. The elements of ghosts ("g_hexa8") have the row of the others.
+const EnSightElement* findElement(std::string_view name)
+{
+    if (isGhost(name)) name.remove_prefix(2);
+    const auto* const found = std::find_if(std::begin(elements), std::end(elements),
+                                           [&](const EnSightElement& element) { return element.name == name; });
+    return found == std::end(elements) ? nullptr : found;
+}
+
 std::string lastWord(const std::string& line)
 {
     return line.substr(line.find_last_of(" \t") + 1);
 }
 
-std::size_t sumOf(const EnSightStream& stream, const std::vector<std::int32_t>& sizes, const char* item, const char* of,
+std::size_t sumOf(const EnSightStream& stream, const std::vector<std::int64_t>& sizes, const char* item, const char* of,
                   int least)
 {
     std::size_t sum = 0;
-    for (const std::int32_t size : sizes) {
+    for (const std::int64_t size : sizes) {
         if (size < least) stream.fail(fmt::format("{} has {} {}", item, size, of), fmt::format("{} or more", least));
         sum += std::size_t(size);
     }
@@ -62,7 +95,7 @@ private:
     std::string readPart()
     {
         EnSightPart part;
-        part.number = stream_.integer("the number of a part");
+        part.number = int(stream_.integer("the number of a part"));
         if (!geometry_.indices.emplace(part.number, geometry_.parts.size()).second)
             stream_.fail(fmt::format("part {} comes once more", part.number), "each part once");
         part.name = stream_.line();
@@ -97,56 +130,49 @@ private:
 
     void readSection(EnSightPart& part, const std::string& name)
     {
-        EnSightSection section;
-        section.name = name;
-        section.element = findEnSightElement(name);
-        if (!section.element)
+        const EnSightElement* element = findElement(name);
+        if (!element)
             stream_.fail(fmt::format("part {} has elements of the unknown kind '{}'", part.number, name),
                          "hexa8, tria3 … nsided, nfaced");
         for (const EnSightSection& other : part.sections)
             if (other.name == name)
                 stream_.fail(fmt::format("part {} has '{}' once more", part.number, name), "each kind once");
-        section.kept = section.element->dimension >= 2 && !isEnSightGhost(name);
-        section.count = stream_.count("the number of elements");
-        if (elementIds_) stream_.integers(section.count, "ids of elements");
-        std::size_t corners = section.count * section.element->nodes;
-        if (section.element->nodes == 0) corners = readSizes(section);
-        section.corners = stream_.integers(corners, "corners of elements");
-        takeCorners(section, part);
-        part.sections.push_back(std::move(section));
-    }
-
-    /// Returns how many corners there are.
-    std::size_t readSizes(EnSightSection& section)
-    {
-        section.sizes = stream_.integers(section.count, "sizes of elements");
-        if (section.element->shape == EnSightShape::polygon)
-            return sumOf(stream_, section.sizes, "a polygon", "corners", 3);
-        const std::size_t faces = sumOf(stream_, section.sizes, "a polyhedron", "faces", 1);
-        section.ofFaces = stream_.integers(faces, "sizes of faces");
-        return sumOf(stream_, section.ofFaces, "a face", "corners", 3);
-    }
-
-    /// Leaves the corners of the elements that are kept, from 0, and drops all others.
-    void takeCorners(EnSightSection& section, const EnSightPart& part) const
-    {
+        const std::size_t count = stream_.count("the number of elements");
+        if (elementIds_) stream_.integers(count, "ids of elements");
+        PartCells cells{element->shape, count, {}, {}, {}};
+        const std::size_t corners = element->nodes == 0 ? readSizes(cells) : count * element->nodes;
+        cells.corners = stream_.integers(corners, "corners of elements");
         const auto points = std::int64_t(part.pointCount());
-        for (std::int32_t& corner : section.corners) {
+        for (std::int64_t& corner : cells.corners) {
             if (corner < 1 || corner > points)
-                stream_.fail(fmt::format("part {} has the corner {} in '{}'", part.number, corner, section.name),
+                stream_.fail(fmt::format("part {} has the corner {} in '{}'", part.number, corner, name),
                              fmt::format("1 to {}, the number of its points", points));
             --corner;
         }
-        if (!section.kept) {
-            section.corners = section.sizes = section.ofFaces = {};
-            return;
-        }
-        const std::size_t nodes = section.element->nodes, corners = section.element->corners;
+        const bool kept = element->dimension >= 2 && !isGhost(name);
+        if (kept) dropPointsBetween(cells, element->nodes);
+        part.sections.push_back({name, count, kept, kept ? std::move(cells) : PartCells()});
+    }
+
+    /// Returns how many corners there are.
+    std::size_t readSizes(PartCells& cells)
+    {
+        cells.sizes = stream_.integers(cells.count, "sizes of elements");
+        if (cells.shape == Shape::polygon) return sumOf(stream_, cells.sizes, "a polygon", "corners", 3);
+        const std::size_t faces = sumOf(stream_, cells.sizes, "a polyhedron", "faces", 1);
+        cells.ofFaces = stream_.integers(faces, "sizes of faces");
+        return sumOf(stream_, cells.ofFaces, "a face", "corners", 3);
+    }
+
+    /// Leaves the corners alone of elements that have so many `nodes`.
+    static void dropPointsBetween(PartCells& cells, std::size_t nodes)
+    {
+        const std::size_t corners = cornersOf(cells.shape);
         if (nodes == corners) return;
-        for (std::size_t i = 0; i < section.count; ++i)
-            std::copy_n(section.corners.begin() + std::ptrdiff_t(i * nodes), corners,
-                        section.corners.begin() + std::ptrdiff_t(i * corners));
-        section.corners.resize(section.count * corners);
+        for (std::size_t i = 0; i < cells.count; ++i)
+            std::copy_n(cells.corners.begin() + std::ptrdiff_t(i * nodes), corners,
+                        cells.corners.begin() + std::ptrdiff_t(i * corners));
+        cells.corners.resize(cells.count * corners);
     }
 
     EnSightStream stream_;
@@ -166,7 +192,7 @@ std::size_t EnSightPart::cells() const
 bool EnSightPart::fillsSpace() const
 {
     return std::any_of(sections.begin(), sections.end(), [](const EnSightSection& section) {
-        return section.kept && section.count > 0 && section.element->dimension == 3;
+        return section.count > 0 && aeolic::fillsSpace(section.cells.shape);
     });
 }
 

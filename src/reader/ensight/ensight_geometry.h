@@ -6,20 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "reader/ensight/ensight_elements.h"
 #include "reader/ensight/ensight_stream.h"
+#include "reader/parts/part_source.h"
 
 namespace aeolic {
 
 /// The elements of one kind in a part.
 struct EnSightSection {
     std::string name;  ///< "hexa8", "g_hexa8"; "block" where the part is one.
-    const EnSightElement* element = nullptr;
     std::size_t count = 0;
-    bool kept = false;                  ///< A face or a cell. Ghosts, lines and points are only counted.
-    std::vector<std::int32_t> corners;  ///< From 0, below the part's points.
-    std::vector<std::int32_t> sizes;    ///< [count] Corners of a polygon, faces of a polyhedron; else empty.
-    std::vector<std::int32_t> ofFaces;  ///< Corners of each face of each polyhedron.
+    bool kept = false;  ///< A face or a cell. Ghosts, lines and points are only counted.
+    PartCells cells;    ///< Of those that are kept, without the points between corners.
 };
 
 struct EnSightPart {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "aeolic/error.h"
-#include "base/memory.h"
 #include "base/text.h"
 #include "reader/binary/numbers.h"
 #include "reader/binary/whole_file.h"
@@ -26,30 +25,19 @@ bool isBlank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\0';
 }
 
-std::int32_t swappedBytes(std::int32_t value)
-{
-    return std::int32_t(__builtin_bswap32(std::uint32_t(value)));
-}
-
 }  // namespace
 
 EnSightStream::EnSightStream(const EnSightPlace& place) : path_(place.path), data_(wholeFile(place.path))
 {
     const auto beginsWith = [&](std::size_t at, const char* text) {
-        std::string begin = data_.substr(std::min(at, data_.size()), std::strlen(text));
-        for (char& c : begin)
-            if (c >= 'A' && c <= 'Z') c = char(c + 32);
-        return begin == text;
+        return lowerCase(data_.substr(std::min(at, data_.size()), std::strlen(text))) == text;
     };
     if (beginsWith(0, "c binary")) {
         format_.encoding = EnSightEncoding::binary;
         at_ = kRecord;
     } else if (beginsWith(kMarker, "fortran binary")) {
         format_.encoding = EnSightEncoding::fortran;
-        const std::int32_t marker = rawInteger();
-        format_.swapped = marker != std::int32_t(kRecord);
-        if (format_.swapped && swappedBytes(marker) != std::int32_t(kRecord))
-            fail(fmt::format("its first record has {} bytes", marker), "80");
+        format_.swapped = rawInteger() != std::int32_t(kRecord);
         at_ = 0;
         line();
     } else if (data_.find('\0') < kRecord) {
@@ -142,11 +130,6 @@ std::string EnSightStream::keyword()
     return text;
 }
 
-void EnSightStream::requireRoom(const std::string& what, std::uint64_t bytes) const
-{
-    requireMemory(path_, what, bytes);
-}
-
 void EnSightStream::skipBlanks()
 {
     while (at_ < data_.size() && isBlank(data_[at_])) ++at_;
@@ -163,11 +146,11 @@ std::string EnSightStream::word(const char* item)
 
 std::int32_t EnSightStream::rawInteger()
 {
-    std::int32_t value = 0;
     if (data_.size() < 4 || at_ > data_.size() - 4) fail("the file is cut off", "four bytes of a number");
-    std::memcpy(&value, data_.data() + at_, 4);
+    std::int32_t value = 0;
+    convertNumbers<std::int32_t>(here(), NumberType::int32, format_.swapped, {&value, 1});
     at_ += 4;
-    return format_.swapped ? swappedBytes(value) : value;
+    return value;
 }
 
 void EnSightStream::requireMarker(std::size_t bytes, const char* item)
@@ -175,13 +158,6 @@ void EnSightStream::requireMarker(std::size_t bytes, const char* item)
     const std::int32_t marker = rawInteger();
     if (marker < 0 || std::size_t(marker) != bytes)
         fail(fmt::format("a record has {} bytes", marker), fmt::format("{} for {}", bytes, item));
-}
-
-void EnSightStream::requireNumbers(std::size_t count, const char* item) const
-{
-    if (count > (data_.size() - std::min(at_, data_.size())) / 4)
-        fail(fmt::format("{} has {} numbers, but only {} bytes are left", item, count, data_.size() - at_),
-             "a complete file");
 }
 
 bool EnSightStream::emptyRecordFollows() const
@@ -212,21 +188,16 @@ std::vector<Number> EnSightStream::numbers(std::size_t count, const char* item)
         if (at_ < data_.size() && data_[at_] == '\n') ++at_;
         return values;
     }
-    requireNumbers(count, item);
     const bool fortran = format_.encoding == EnSightEncoding::fortran;
     if (fortran && count == 0 && !emptyRecordFollows()) return values;  // Some programs write none.
     if (fortran) requireMarker(4 * count, item);
-    requireNumbers(count, item);
+    if (count > (data_.size() - at_) / 4)
+        fail(fmt::format("{} has {} numbers, but only {} bytes are left", item, count, data_.size() - at_),
+             "a complete file");
     values.resize(count);
-    if (count > 0) std::memcpy(values.data(), data_.data() + at_, 4 * count);
+    convertNumbers<Number>(here(), std::is_integral_v<Number> ? NumberType::int32 : NumberType::float32,
+                           format_.swapped, values);
     at_ += 4 * count;
-    if (format_.swapped)
-        for (Number& value : values) {
-            std::int32_t bits = 0;
-            std::memcpy(&bits, &value, 4);
-            bits = swappedBytes(bits);
-            std::memcpy(&value, &bits, 4);
-        }
     if (fortran) requireMarker(4 * count, item);
     return values;
 }
@@ -239,21 +210,21 @@ void EnSightStream::skipExtents()
         floats(6, "the extents");
 }
 
-std::int32_t EnSightStream::integer(const char* item)
+std::int64_t EnSightStream::integer(const char* item)
 {
     return integers(1, item).front();
 }
 
 std::size_t EnSightStream::count(const char* item)
 {
-    const std::int32_t value = integer(item);
+    const std::int64_t value = integer(item);
     if (value < 0) fail(fmt::format("{} is {}", item, value), "a number from 0");
     return std::size_t(value);
 }
 
-std::vector<std::int32_t> EnSightStream::integers(std::size_t count, const char* item)
+std::vector<std::int64_t> EnSightStream::integers(std::size_t count, const char* item)
 {
-    return numbers<std::int32_t>(count, item);
+    return numbers<std::int64_t>(count, item);
 }
 
 std::vector<float> EnSightStream::floats(std::size_t count, const char* item)

@@ -24,6 +24,7 @@ public:
     explicit EnSightStream(const EnSightPlace& place);
     EnSightStream(const EnSightPlace& place, const EnSightFormat& format);
 
+    const std::string& path() const { return path_; }
     const EnSightFormat& format() const { return format_; }
     bool atEnd();
 
@@ -32,15 +33,12 @@ public:
     /// The next one that is not empty; empty at the end of the file alone.
     std::string keyword();
 
-    std::int32_t integer(const char* item);
+    std::int64_t integer(const char* item);
     std::size_t count(const char* item);  ///< An integer from 0.
-    std::vector<std::int32_t> integers(std::size_t count, const char* item);
+    std::vector<std::int64_t> integers(std::size_t count, const char* item);
     std::vector<float> floats(std::size_t count, const char* item);
     /// The six numbers behind "extents". In text they may touch each other.
     void skipExtents();
-
-    /// Throws InputError unless there is memory for the data that are made of the file.
-    void requireRoom(const std::string& what, std::uint64_t bytes) const;
 
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 
@@ -48,9 +46,9 @@ private:
     std::string trimmed(std::size_t begin, std::size_t end) const;
     void findByteOrder();
     void keepStep(std::size_t step);
-    void requireNumbers(std::size_t count, const char* item) const;
     void requireMarker(std::size_t bytes, const char* item);
     bool emptyRecordFollows() const;
+    const std::uint8_t* here() const { return reinterpret_cast<const std::uint8_t*>(data_.data()) + at_; }
     std::int32_t rawInteger();
     template <class Number>
     std::vector<Number> numbers(std::size_t count, const char* item);

@@ -147,22 +147,8 @@ std::span<const Side> sidesOf(CellShape shape)
                                           {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
     static constexpr Side triangle[] = {{0, 1, 2, -1}, {2, 1, 0, -1}};
     static constexpr Side quad[] = {{0, 1, 2, 3}, {0, 3, 2, 1}};
-    switch (shape) {
-        case CellShape::tetra:
-            return tetra;
-        case CellShape::pyramid:
-            return pyramid;
-        case CellShape::wedge:
-            return wedge;
-        case CellShape::hexahedron:
-            return hexahedron;
-        case CellShape::triangle:
-            return triangle;
-        case CellShape::quad:
-            return quad;
-        default:
-            return {};
-    }
+    static constexpr std::span<const Side> all[] = {triangle, quad, {}, tetra, pyramid, wedge, hexahedron, {}};
+    return all[std::size_t(shape)];
 }
 
 /// A cell of any shape by its number, for sides.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <utility>
 
 #include "aeolic/error.h"
 #include "data/vector_names.h"
@@ -19,48 +20,15 @@ constexpr int kBetweenCells = 2;
 /// What the numbers of data mean, as VTK names them.
 std::string nameOfData(int number)
 {
-    switch (number) {
-        case 1:
-            return "PRESSURE";
-        case 3:
-            return "TEMPERATURE";
-        case 4:
-            return "ENTHALPY";
-        case 5:
-            return "TKE";
-        case 6:
-            return "TED";
-        case 18:
-            return "MASS_FLUX";
-        case 19:
-            return "WALL_SHEAR";
-        case 20:
-            return "BOUNDARY_HEAT_FLUX";
-        case 35:
-            return "YPLUS";
-        case 59:
-            return "MACH";
-        case 63:
-            return "SDR";
-        case 96:
-            return "WALL_DIST";
-        case 101:
-            return "DENSITY";
-        case 102:
-            return "MU_LAM";
-        case 103:
-            return "MU_TURB";
-        case 111:
-            return "X_VELOCITY";
-        case 112:
-            return "Y_VELOCITY";
-        case 113:
-            return "Z_VELOCITY";
-        case 150:
-            return "VOF";
-        default:
-            return fmt::format("data {}", number);
-    }
+    static constexpr std::pair<int, const char*> kNames[] = {
+        {1, "PRESSURE"},     {3, "TEMPERATURE"},  {4, "ENTHALPY"},    {5, "TKE"},
+        {6, "TED"},          {18, "MASS_FLUX"},   {19, "WALL_SHEAR"}, {20, "BOUNDARY_HEAT_FLUX"},
+        {35, "YPLUS"},       {59, "MACH"},        {63, "SDR"},        {96, "WALL_DIST"},
+        {101, "DENSITY"},    {102, "MU_LAM"},     {103, "MU_TURB"},   {111, "X_VELOCITY"},
+        {112, "Y_VELOCITY"}, {113, "Z_VELOCITY"}, {150, "VOF"}};
+    for (const auto& [known, name] : kNames)
+        if (known == number) return name;
+    return fmt::format("data {}", number);
 }
 
 /// Values of one kind on the cells or faces of a zone.

@@ -219,12 +219,6 @@ std::optional<NumberType> Hdf5Object::type() const
 }
 
 template <class Number>
-std::vector<Number> Hdf5Object::read() const
-{
-    return read<Number>(wholeSlab(shape()));
-}
-
-template <class Number>
 std::vector<Number> Hdf5Object::read(const Slab& slab) const
 {
     return data().read<Number>(slab);
@@ -246,11 +240,6 @@ void Hdf5Object::fail(const std::string& found, const std::string& expected) con
     throw InputError(file(), fmt::format("'{}': {}", name(), found), expected);
 }
 
-template std::vector<float> Hdf5Object::read() const;
-template std::vector<double> Hdf5Object::read() const;
-template std::vector<std::int8_t> Hdf5Object::read() const;
-template std::vector<std::int32_t> Hdf5Object::read() const;
-template std::vector<std::int64_t> Hdf5Object::read() const;
 template std::vector<float> Hdf5Object::read(const Slab&) const;
 template std::vector<double> Hdf5Object::read(const Slab&) const;
 template std::vector<std::int8_t> Hdf5Object::read(const Slab&) const;

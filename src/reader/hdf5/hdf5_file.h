@@ -51,9 +51,12 @@ public:
     /// Its elements, or a slab of them, as `Number`: float, double, std::int8_t, std::int32_t or std::int64_t. What was
     /// never written has the fill value.
     template <class Number>
-    std::vector<Number> read() const;
-    template <class Number>
     std::vector<Number> read(const Slab& slab) const;
+    template <class Number>
+    std::vector<Number> read() const
+    {
+        return read<Number>(wholeSlab(shape()));
+    }
 
     /// Its characters, of which each element is one.
     std::string characters() const;

@@ -1,7 +1,5 @@
 #include "reader/hdf5/hdf5_handle.h"
 
-#include <cstdint>
-
 #include "base/text.h"
 
 namespace aeolic {
@@ -34,32 +32,6 @@ std::string lastHdf5Fault()
         },
         &fault);
     return withoutControls(std::move(fault));
-}
-
-template <>
-hid_t nativeHdf5Type<float>()
-{
-    return H5T_NATIVE_FLOAT;
-}
-template <>
-hid_t nativeHdf5Type<double>()
-{
-    return H5T_NATIVE_DOUBLE;
-}
-template <>
-hid_t nativeHdf5Type<std::int8_t>()
-{
-    return H5T_NATIVE_INT8;
-}
-template <>
-hid_t nativeHdf5Type<std::int32_t>()
-{
-    return H5T_NATIVE_INT32;
-}
-template <>
-hid_t nativeHdf5Type<std::int64_t>()
-{
-    return H5T_NATIVE_INT64;
 }
 
 }  // namespace aeolic

@@ -5,6 +5,7 @@
 #include <hdf5.h>
 
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "reader/hdf5/hdf5_lock.h"
@@ -37,8 +38,14 @@ private:
 /// What the library says of its last call that failed, where the fault was found. Empty where it says nothing.
 std::string lastHdf5Fault();
 
-/// The library's type for a number of C++. Instantiated for float, double, std::int8_t, std::int32_t and std::int64_t.
+/// The library's type for a number of C++: float, double, std::int8_t, std::int32_t or std::int64_t.
 template <class Number>
-hid_t nativeHdf5Type();
+hid_t nativeHdf5Type()
+{
+    if constexpr (std::is_floating_point_v<Number>)
+        return sizeof(Number) == 4 ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
+    else
+        return sizeof(Number) == 1 ? H5T_NATIVE_INT8 : sizeof(Number) == 4 ? H5T_NATIVE_INT32 : H5T_NATIVE_INT64;
+}
 
 }  // namespace aeolic

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <type_traits>
+#include <utility>
 
 #include "aeolic/error.h"
 #include "base/memory.h"
@@ -20,44 +22,13 @@ constexpr std::size_t kReadAtOnce = 4 << 20;  // Bytes of a classic file. The li
 
 std::optional<NumberType> numberType(nc_type type)
 {
-    switch (type) {
-        case NC_BYTE:
-            return NumberType::int8;
-        case NC_UBYTE:
-            return NumberType::uint8;
-        case NC_SHORT:
-            return NumberType::int16;
-        case NC_USHORT:
-            return NumberType::uint16;
-        case NC_INT:
-            return NumberType::int32;
-        case NC_UINT:
-            return NumberType::uint32;
-        case NC_INT64:
-            return NumberType::int64;
-        case NC_UINT64:
-            return NumberType::uint64;
-        case NC_FLOAT:
-            return NumberType::float32;
-        case NC_DOUBLE:
-            return NumberType::float64;
-        default:
-            return std::nullopt;
-    }
-}
-
-int getNumbers(int file, int variable, const std::size_t* first, const std::size_t* count, float* to)
-{
-    return nc_get_vara_float(file, variable, first, count, to);
-}
-int getNumbers(int file, int variable, const std::size_t* first, const std::size_t* count, double* to)
-{
-    return nc_get_vara_double(file, variable, first, count, to);
-}
-int getNumbers(int file, int variable, const std::size_t* first, const std::size_t* count, std::int64_t* to)
-{
-    static_assert(sizeof(long) == sizeof(std::int64_t));
-    return nc_get_vara_long(file, variable, first, count, to);
+    using enum NumberType;
+    constexpr std::pair<nc_type, NumberType> types[] = {
+        {NC_BYTE, int8},   {NC_UBYTE, uint8}, {NC_SHORT, int16},   {NC_USHORT, uint16}, {NC_INT, int32},
+        {NC_UINT, uint32}, {NC_INT64, int64}, {NC_UINT64, uint64}, {NC_FLOAT, float32}, {NC_DOUBLE, float64}};
+    for (const auto& [theirs, ours] : types)
+        if (theirs == type) return ours;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -194,7 +165,16 @@ std::vector<Number> NetcdfFile::read(const std::string& variable, const Slab& sl
     requireMemory(path_, fmt::format("reading '{}'", variable), count * sizeof(Number));
     std::vector<Number> values(count);
     const Hdf5Lock lock;
-    const int status = getNumbers(id_, found.id, slab.first.data(), slab.count.data(), values.data());
+    const auto get = [&](auto function) {
+        return function(id_, found.id, slab.first.data(), slab.count.data(), values.data());
+    };
+    int status = NC_NOERR;
+    if constexpr (std::is_same_v<Number, float>)
+        status = get(nc_get_vara_float);
+    else if constexpr (std::is_same_v<Number, double>)
+        status = get(nc_get_vara_double);
+    else
+        status = get(nc_get_vara_long);
     if (status != NC_ERANGE) sound(status, fmt::format("'{}'", variable));  // What is too large becomes the largest.
     return values;
 }

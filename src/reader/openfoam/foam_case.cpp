@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kProcessor = "processor", kProcessors = "processors";
+constexpr std::string_view kProcessor = "processor";
 
 std::vector<std::string> regionsOf(const fs::path& folder)
 {
@@ -29,62 +29,56 @@ std::vector<std::string> regionsOf(const fs::path& folder)
     return regions;
 }
 
-/// processors4_2-3 holds the processors 2 and 3 of 4, processors4 all of them.
-struct Collated {
-    int all = 0, first = 0, last = 0;
+/// A folder of a processor, processor2, or of several: processors4_2-3 has the files of the processors 2 and 3 of 4,
+/// processors4 those of all.
+struct ProcessorFolder {
     std::string name;
+    int first = 0, last = 0;
+    std::optional<int> all;  ///< How many there are, of several.
 };
 
-std::optional<Collated> collatedFolder(const std::string& name)
+std::optional<ProcessorFolder> processorFolder(const std::string& name)
 {
-    if (!name.starts_with(kProcessors)) return std::nullopt;
-    const std::string_view rest = std::string_view(name).substr(kProcessors.size());
+    if (!name.starts_with(kProcessor)) return std::nullopt;
+    std::string_view rest = std::string_view(name).substr(kProcessor.size());
+    if (const auto number = foamNumber<int>(rest)) return ProcessorFolder{name, *number, *number, {}};
+    if (!rest.starts_with('s')) return std::nullopt;
+    rest.remove_prefix(1);
     const std::size_t under = std::min(rest.find('_'), rest.size());
     const auto all = foamNumber<int>(rest.substr(0, under));
     if (!all || *all < 1) return std::nullopt;
-    if (under == rest.size()) return Collated{*all, 0, *all - 1, name};
+    if (under == rest.size()) return ProcessorFolder{name, 0, *all - 1, all};
     const std::string_view run = rest.substr(under + 1);
     const std::size_t dash = std::min(run.find('-'), run.size());
     const auto first = foamNumber<int>(run.substr(0, dash));
     const auto last = dash == run.size() ? first : foamNumber<int>(run.substr(dash + 1));
     if (!first || !last || *first < 0 || *last < *first) return std::nullopt;
-    return Collated{*all, *first, *last, name};
+    return ProcessorFolder{name, *first, *last, all};
 }
 
-/// processor0, processor1 … in the order of their numbers, of which none may be missing; else the blocks of collated
-/// files, likewise.
+/// processor0, processor1 … in the order of their numbers, of which none may be missing; where there are none of these,
+/// the blocks of collated files, likewise.
 std::vector<FoamPath> processorFolders(const fs::path& root, const std::string& name)
 {
-    std::vector<int> numbers;
-    std::vector<Collated> collated;
-    for (const std::string& entry : namesInFolder(root)) {
-        if (!entry.starts_with(kProcessor) || !isFoamFolder(root / entry)) continue;
-        if (const auto number = foamNumber<int>(std::string_view(entry).substr(kProcessor.size())))
-            numbers.push_back(*number);
-        else if (auto some = collatedFolder(entry))
-            collated.push_back(std::move(*some));
-    }
-    std::sort(numbers.begin(), numbers.end());
+    std::vector<ProcessorFolder> found;
+    for (const std::string& entry : namesInFolder(root))
+        if (auto folder = processorFolder(entry); folder && isFoamFolder(root / entry))
+            found.push_back(std::move(*folder));
+    const auto isCollated = [](const ProcessorFolder& folder) { return folder.all.has_value(); };
+    if (!std::all_of(found.begin(), found.end(), isCollated)) std::erase_if(found, isCollated);
+    std::sort(found.begin(), found.end(),
+              [](const ProcessorFolder& a, const ProcessorFolder& b) { return a.first < b.first; });
     std::vector<FoamPath> folders;
-    const auto requireNext = [&](int number, const std::string& found) {
-        if (number != int(folders.size()))
-            throw InputError(name, fmt::format("there is {}, but no processor{}", found, folders.size()),
+    for (const ProcessorFolder& folder : found) {
+        if (folder.first != int(folders.size()))
+            throw InputError(name, fmt::format("there is {}, but no processor{}", folder.name, folders.size()),
                              "the data of each processor");
-    };
-    for (const int number : numbers) {
-        const std::string processor = fmt::format("{}{}", kProcessor, number);
-        requireNext(number, processor);
-        folders.push_back({root / processor});
+        for (int block = 0; block <= folder.last - folder.first; ++block)
+            folders.push_back({root / folder.name, folder.all ? block : -1});
     }
-    if (!numbers.empty()) return folders;
-    std::sort(collated.begin(), collated.end(), [](const Collated& a, const Collated& b) { return a.first < b.first; });
-    for (const Collated& some : collated) {
-        requireNext(some.first, some.name);
-        for (int block = 0; block <= some.last - some.first; ++block) folders.push_back({root / some.name, block});
-    }
-    if (!collated.empty() && int(folders.size()) != collated.front().all)
-        throw InputError(name, fmt::format("there are {} processors in {}", folders.size(), collated.back().name),
-                         std::to_string(collated.front().all));
+    if (!found.empty() && int(folders.size()) != found.front().all.value_or(int(folders.size())))
+        throw InputError(name, fmt::format("there are {} processors in {}", folders.size(), found.back().name),
+                         std::to_string(*found.front().all));
     return folders;
 }
 

@@ -69,8 +69,4 @@ bool foamHasField(const FoamCase& foam, const std::string& region, double time, 
 /// is damaged at this time.
 void requireFoamFieldAt(const FoamCase& foam, double time, const std::string& array);
 
-/// The times from the first on that has all of the arrays that are there at any time. Later ones may lack them where
-/// the first of all times has them.
-std::vector<double> foamTimesWith(const FoamCase& foam, const std::vector<std::string>& arrays);
-
 }  // namespace aeolic

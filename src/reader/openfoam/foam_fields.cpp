@@ -9,6 +9,7 @@
 #include "description/color_by.h"
 #include "reader/openfoam/foam_case.h"
 #include "reader/openfoam/foam_folders.h"
+#include "reader/openfoam/foam_parts.h"
 
 namespace aeolic {
 namespace {
@@ -124,8 +125,9 @@ void requireFoamFieldAt(const FoamCase& foam, double time, const std::string& ar
                                        field->times.front(), field->times.back()));
 }
 
-std::vector<double> foamTimesWith(const FoamCase& foam, const std::vector<std::string>& arrays)
+std::vector<double> foamTimes(const std::string& path, const std::vector<std::string>& arrays)
 {
+    const FoamCase foam = findFoamCase(path);
     std::vector<double> times = foam.times;
     if (times.empty() || std::all_of(arrays.begin(), arrays.end(), [&](const std::string& array) {
             return array.empty() || fileOf(foam, times.front(), array);

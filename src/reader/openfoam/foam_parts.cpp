@@ -26,6 +26,16 @@ std::vector<PartInfo> partsOf(const std::vector<FoamPart>& patches)
     return parts;
 }
 
+/// Those of the list that have these numbers.
+template <class Item>
+std::vector<Item> numbered(const std::vector<Item>& all, const std::vector<std::size_t>& numbers)
+{
+    std::vector<Item> some;
+    some.reserve(numbers.size());
+    for (const std::size_t number : numbers) some.push_back(all[number]);
+    return some;
+}
+
 class FoamParts : public PartSource {
 public:
     FoamParts(const std::string& path, FileUse use, std::optional<double> time) : foam_(findFoamCase(path))
@@ -56,18 +66,10 @@ public:
     std::optional<PartMesh> readTogether(const std::vector<std::size_t>& parts,
                                          const std::vector<std::size_t>& wanted) override
     {
-        std::vector<FoamField> fields;
-        fields.reserve(wanted.size());
-        for (const std::size_t array : wanted) fields.push_back(fields_[array]);
-        if (patches_.empty()) {
-            std::vector<std::string> regions;
-            regions.reserve(parts.size());
-            for (const std::size_t part : parts) regions.push_back(foam_.regions[part]);
-            return readFoamVolume(foam_, regions, time_, fields, run_, polyhedra_);
-        }
-        std::vector<FoamPart> patches;
-        patches.reserve(parts.size());
-        for (const std::size_t part : parts) patches.push_back(patches_[part]);
+        const std::vector<FoamField> fields = numbered(fields_, wanted);
+        if (patches_.empty())
+            return readFoamVolume(foam_, numbered(foam_.regions, parts), time_, fields, run_, polyhedra_);
+        const std::vector<FoamPart> patches = numbered(patches_, parts);
         if (std::all_of(patches.begin(), patches.end(), [](const FoamPart& patch) { return patch.faces == 0; }))
             throw InputError(foam_.name, fmt::format("patch '{}' has no faces", patches.front().name()),
                              "a patch with faces");
@@ -121,11 +123,6 @@ private:
 std::unique_ptr<PartSource> openFoamCase(const std::string& path, FileUse use, std::optional<double> time)
 {
     return std::make_unique<FoamParts>(path, use, time);
-}
-
-std::vector<double> foamTimes(const std::string& path, const std::vector<std::string>& arrays)
-{
-    return foamTimesWith(findFoamCase(path), arrays);
 }
 
 std::vector<std::uint64_t> foamPieces(const std::string& path, FileUse use, const std::vector<std::string>& parts)

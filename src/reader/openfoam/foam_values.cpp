@@ -53,17 +53,6 @@ void append(std::vector<float>& values, std::span<const double> some)
     for (const double value : some) values.push_back(float(value));
 }
 
-/// "uniform (0 0 0)": the value behind the word.
-std::vector<float> readUniform(FoamStream& in, int components, const std::string& item)
-{
-    std::vector<float> value;
-    value.reserve(std::size_t(components));
-    if (components > 1) in.expect("(", item);
-    for (int c = 0; c < components; ++c) value.push_back(float(in.scalar(item)));
-    if (components > 1) in.expect(")", item);
-    return value;
-}
-
 /// Passes over List<vector>; a list of no values may have no type.
 void readListType(FoamStream& in, int components, const std::string& item)
 {
@@ -73,22 +62,32 @@ void readListType(FoamStream& in, int components, const std::string& item)
         in.fail(fmt::format("{}: found {}", item, type), components == 1 ? "List<scalar>" : "List<vector>");
 }
 
+/// Reads what stands behind "uniform" or "nonuniform", which is `word`: take(index, values) gets the values of a list.
+/// Returns how many there are; nothing where all are the same, which is then in `uniform`.
+std::optional<std::uint64_t> readValues(FoamStream& in, const std::string& word, int components,
+                                        const std::string& item, std::vector<float>& uniform,
+                                        const FoamStream::TakeValues& take)
+{
+    if (word == "uniform") {
+        uniform.clear();
+        if (components > 1) in.expect("(", item);
+        for (int c = 0; c < components; ++c) uniform.push_back(float(in.scalar(item)));
+        if (components > 1) in.expect(")", item);
+        return std::nullopt;
+    }
+    if (word != "nonuniform") in.fail(fmt::format("{}: found '{}'", item, word.substr(0, 40)), "uniform or nonuniform");
+    readListType(in, components, item);
+    return in.values(components, item, take);
+}
+
 void readValue(FoamStream& in, int components, const std::string& item, Entry& entry)
 {
     const std::string word = in.token();
-    entry.hasValue = true;
-    if (word == "uniform") {
-        entry.uniform = true;
-        entry.values = readUniform(in, components, item);
-    } else if (word == "nonuniform") {
-        readListType(in, components, item);
-        in.values(components, item, [&](std::uint64_t, std::span<const double> some) { append(entry.values, some); });
-    } else if (word == "$internalField") {
-        entry.hasValue = false;
-        entry.internal = true;
-    } else {
-        in.fail(fmt::format("{}: found '{}'", item, word.substr(0, 40)), "uniform or nonuniform");
-    }
+    entry.internal = word == "$internalField";
+    entry.hasValue = !entry.internal;
+    if (entry.hasValue)
+        entry.uniform = !readValues(in, word, components, item, entry.values,
+                                    [&](std::uint64_t, std::span<const double> some) { append(entry.values, some); });
     in.expect(";", item);
 }
 
@@ -127,21 +126,13 @@ std::vector<Entry> readBoundaryField(const FoamPath& file, int components, const
     return entries;
 }
 
-/// Goes through a field's values in cells: take(cell, value). Returns how many there are; nothing where all are the
-/// same, which is then in `uniform`.
+/// A field's values in cells, likewise.
 std::optional<std::uint64_t> forEachCell(FoamStream& in, int components, std::vector<float>& uniform,
                                          const FoamStream::TakeValues& take)
 {
     const std::string item = "internalField";
     in.goTo(item, "the field's values in cells");
-    const std::string word = in.token();
-    if (word == "uniform") {
-        uniform = readUniform(in, components, item);
-        return std::nullopt;
-    }
-    if (word != "nonuniform") in.fail(fmt::format("{}: found '{}'", item, word.substr(0, 40)), "uniform or nonuniform");
-    readListType(in, components, item);
-    return in.values(components, item, take);
+    return readValues(in, in.token(), components, item, uniform, take);
 }
 
 /// The values of single cells, by their numbers.

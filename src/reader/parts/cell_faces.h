@@ -8,31 +8,36 @@
 
 namespace aeolic {
 
-/// Polygons, one after the other. Size 0 stands for no polygon.
-struct FaceList {
-    std::vector<std::int64_t> corners;
-    std::vector<std::size_t> ends;  ///< Behind the corners of each.
+/// Polygons, one after the other.
+template <class Number>
+struct PolygonList {
+    std::vector<Number> corners;
+    std::vector<std::size_t> ends;  ///< [count()] Behind the corners of each.
 
     std::size_t count() const { return ends.size(); }
-    std::span<const std::int64_t> face(std::size_t i) const
+    std::span<const Number> face(std::size_t i) const
     {
         const std::size_t begin = i == 0 ? 0 : ends[i - 1];
         return std::span(corners).subspan(begin, ends[i] - begin);
     }
-    void add(std::span<const std::int64_t> face)
+    void add(std::span<const Number> face)
     {
         corners.insert(corners.end(), face.begin(), face.end());
         ends.push_back(corners.size());
     }
 
     /// The faces as a part's cells: polygons. All must have three corners or more.
-    PartCells asPolygons() const;
+    PartCells asPolygons() const
+    {
+        PartCells cells{CellShape::polygon, count(), {corners.begin(), corners.end()}, {}, {}};
+        cells.sizes.reserve(count());
+        for (std::size_t i = 0; i < count(); ++i) cells.sizes.push_back(std::int64_t(face(i).size()));
+        return cells;
+    }
 };
 
-/// Calls take(cell, corners) for every face of every cell that fills space, seen from outside; the number of a cell is
-/// that in its list. The corners hold until the call ends. The cells' sizes must fit (sizesFit()).
-template <class Take>
-void forEachFaceOf(const PartCells& cells, const Take& take);
+/// Size 0 stands for no polygon.
+using FaceList = PolygonList<std::int64_t>;
 
 /// Faces, and which cells of a volume they belong to.
 struct CellFaces {
@@ -48,5 +53,3 @@ std::vector<std::int64_t> cellsBehind(const FaceList& faces, const std::vector<P
 CellFaces outerFacesOf(const std::vector<PartCells>& volume, const std::vector<bool>& chosen);
 
 }  // namespace aeolic
-
-#include "reader/parts/cell_faces-inl.h"

@@ -112,13 +112,6 @@ PartCells& listFor(std::vector<PartCells>& cells, CellShape shape)
 
 }  // namespace
 
-PartCells MeshFaces::asPolygons() const
-{
-    PartCells cells{CellShape::polygon, count(), {corners.begin(), corners.end()}, {}, {}};
-    for (std::size_t i = 0; i < count(); ++i) cells.sizes.push_back(std::int64_t(face(i).size()));
-    return cells;
-}
-
 CellsOfFaces::CellsOfFaces(MeshFaces faces, std::size_t cells, FirstCorner firstCorner, std::string where)
     : faces_(std::move(faces)), firstCorner_(firstCorner), where_(std::move(where)), begins_(cells + 1, 0)
 {

@@ -6,27 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "reader/parts/part_source.h"
+#include "reader/parts/cell_faces.h"
 
 namespace aeolic {
 
-/// Faces of a mesh with the cells on both sides. All faces of a large mesh are kept, so numbers are short.
-struct MeshFaces {
-    std::vector<std::uint32_t> corners;          ///< They turn as they are seen from `outside`.
-    std::vector<std::size_t> ends;               ///< [faces] Behind the corners of each.
-    std::vector<std::uint32_t> inside, outside;  ///< [faces] Numbers of cells from 1; 0: none.
+/// Faces of a mesh with the cells on both sides. They turn as they are seen from `outside`. All faces of a large mesh
+/// are kept, so numbers are short.
+struct MeshFaces : PolygonList<std::uint32_t> {
+    std::vector<std::uint32_t> inside, outside;  ///< [count()] Numbers of cells from 1; 0: none.
 
     static constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();  ///< Of points, cells and faces.
-
-    std::size_t count() const { return ends.size(); }
-    std::span<const std::uint32_t> face(std::size_t i) const
-    {
-        const std::size_t begin = i == 0 ? 0 : ends[i - 1];
-        return std::span(corners).subspan(begin, ends[i] - begin);
-    }
-
-    /// The faces as a part's cells. All must have three corners or more.
-    PartCells asPolygons() const;
 };
 
 /// Which corner a cell begins with: a simple cell with one of its base, a polyhedron's face with one of its own.

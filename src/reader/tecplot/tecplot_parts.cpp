@@ -9,6 +9,7 @@
 #include "aeolic/error.h"
 #include "base/text.h"
 #include "data/vector_names.h"
+#include "reader/parts/ordered_cells.h"
 #include "reader/tecplot/tecplot_text.h"
 
 namespace aeolic {
@@ -66,30 +67,6 @@ void addBrick(const std::int64_t* c, std::vector<PartCells>& cells)
     if (cells.empty() || cells.back().shape != shape) cells.push_back({shape, 0, {}, {}, {}});
     cells.back().corners.insert(cells.back().corners.end(), corners.begin(), corners.end());
     ++cells.back().count;
-}
-
-std::vector<PartCells> orderedCells(const TecplotZone& zone)
-{
-    std::vector<std::int64_t> lengths, steps;  // Of the directions in which there are cells.
-    std::int64_t step = 1;
-    for (const std::int64_t length : zone.lengths) {
-        if (length > 1) {
-            lengths.push_back(length);
-            steps.push_back(step);
-        }
-        step *= length;
-    }
-    const bool solid = lengths.size() == 3;
-    PartCells cells{solid ? CellShape::hexahedron : CellShape::quad, 0, {}, {}, {}};
-    for (std::int64_t k = 0; k < (solid ? lengths[2] - 1 : 1); ++k)
-        for (std::int64_t j = 0; j + 1 < lengths[1]; ++j)
-            for (std::int64_t i = 0; i + 1 < lengths[0]; ++i, ++cells.count)
-                for (int up = 0; up < (solid ? 2 : 1); ++up) {
-                    const std::int64_t at = i * steps[0] + j * steps[1] + (solid ? (k + up) * steps[2] : 0);
-                    for (const std::int64_t corner : {at, at + steps[0], at + steps[0] + steps[1], at + steps[1]})
-                        cells.corners.push_back(corner);
-                }
-    return {std::move(cells)};
 }
 
 class TecplotParts : public PartSource {
@@ -222,7 +199,7 @@ private:
     std::vector<PartCells> cellsOf(std::size_t number, std::size_t points) const
     {
         const TecplotZone& zone = text_.zones()[number];
-        if (zone.cells == TecplotCells::ordered) return orderedCells(zone);
+        if (zone.cells == TecplotCells::ordered) return {orderedCells(zone.lengths)};
         std::vector<std::int64_t> corners = text_.corners(number);
         for (std::int64_t& corner : corners) {
             if (corner < 1 || std::uint64_t(corner) > points)

@@ -122,8 +122,7 @@ TecplotText::TecplotText(const std::string& path) : path_(path), data_(wholeFile
         throw InputError(path, "it is a Tecplot file in binary",
                          "one in text, as Tecplot 360 writes it (File > Write Data)");
     if (data_.find('\0') < kBeginning) throw InputError(path, "it is not text", "a Tecplot file in text");
-    TecplotHeads heads(data_, path_);
-    heads.read();
+    TecplotHeads heads = readTecplotHeads(data_, path_);
     variables_ = std::move(heads.variables);
     zones_ = std::move(heads.zones);
     if (zones_.empty()) throw InputError(path, "it has no zones", "a Tecplot file with data");

@@ -4,7 +4,9 @@
 #include <vtkAbstractPolyDataReader.h>
 #include <vtkCallbackCommand.h>
 #include <vtkDataArraySelection.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkNrrdReader.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -17,7 +19,7 @@
 #include "data/named_file.h"
 #include "data/vtk/linear_cells.h"
 #include "data/vtk/messages.h"
-#include "reader/vtk/file_header.h"
+#include "reader/vtk/block_arrays.h"
 #include "reader/vtk/part_blocks.h"
 #include "reader/vtk/xml/xml_tree.h"
 
@@ -35,6 +37,49 @@ void forwardProgress(vtkObject*, unsigned long, void* client, void*)
 {
     const auto* target = static_cast<ProgressTarget*>(client);
     target->report(target->what, target->algorithm->GetProgress());
+}
+
+constexpr const char* nrrdArrayName = "ImageFile";  // The format has no names; this one is VTK's.
+
+std::vector<ArrayInfo> announced(vtkInformation& info)
+{
+    std::vector<ArrayInfo> arrays;
+    for (const bool onPoints : {true, false}) {
+        vtkInformationVector* all =
+            info.Get(onPoints ? vtkDataObject::POINT_DATA_VECTOR() : vtkDataObject::CELL_DATA_VECTOR());
+        for (int i = 0; all && i < all->GetNumberOfInformationObjects(); ++i) {
+            vtkInformation* field = all->GetInformationObject(i);
+            if (!field->Has(vtkDataObject::FIELD_NAME())) continue;
+            ArrayInfo array{field->Get(vtkDataObject::FIELD_NAME()), onPoints, 1,
+                            field->Get(vtkDataObject::FIELD_ARRAY_TYPE())};
+            if (field->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()))
+                array.components = field->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
+            const int active = field->Get(vtkDataObject::FIELD_ACTIVE_ATTRIBUTE());
+            array.activeVectors = active & (1 << vtkDataSetAttributes::VECTORS);
+            array.activeNormals = active & (1 << vtkDataSetAttributes::NORMALS);
+            // A file with several time steps says each array once for every step.
+            addOthers(arrays, {array});
+        }
+    }
+    return arrays;
+}
+
+/// The one array of an image file that is not of the XML family.
+std::vector<ArrayInfo> announcedScalars(vtkInformation& info)
+{
+    vtkInformation* field = vtkDataObject::GetActiveFieldInformation(&info, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+                                                                     vtkDataSetAttributes::SCALARS);
+    if (!field || !field->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS())) return {};
+    const int components = field->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
+    return {{nrrdArrayName, true, components, field->Get(vtkDataObject::FIELD_ARRAY_TYPE()), components == 3}};
+}
+
+/// The arrays that a reader announces before it reads them: readers of the XML family and of NRRD do. The reader's
+/// information must be up to date.
+std::vector<ArrayInfo> announcedBy(vtkAlgorithm& reader)
+{
+    vtkInformation& info = *reader.GetOutputInformation(0);
+    return vtkNrrdReader::SafeDownCast(&reader) ? announcedScalars(info) : announced(info);
 }
 
 }  // namespace
@@ -75,7 +120,7 @@ DataFile::DataFile(std::string path, Use use, std::optional<double> time) : path
         throw InputError(placeOf(messages), "its header cannot be read (" + messages.firstError() + ")", kind_->kind);
 
     vtkInformation* info = reader_->GetOutputInformation(0);
-    if (announces_) announced_ = kept_ = aeolic::announcedArrays(*reader_);
+    if (announces_) announced_ = kept_ = announcedBy(*reader_);
     if (info->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS())) {
         const double* steps = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
         timeSteps_.assign(steps, steps + info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
@@ -120,9 +165,7 @@ void DataFile::keepOnly(const std::vector<ArrayInfo>& arrays)
         xml->GetCellDataArraySelection()->DisableAllArrays();
     }
     for (const ArrayInfo& array : announced_) {
-        const bool wanted = std::any_of(arrays.begin(), arrays.end(), [&](const ArrayInfo& a) {
-            return a.name == array.name && a.onPoints == array.onPoints;
-        });
+        const bool wanted = isAmong(arrays, array.name, array.onPoints);
         if (!wanted && !isMaskName(array.name) && array.name != kHigherOrderDegrees) continue;
         kept_.push_back(array);
         if (!xml) continue;

@@ -33,7 +33,6 @@
 #include "reader/vtk/part_blocks.h"
 #include "reader/vtk/ply_reader.h"
 #include "reader/vtk/pvd_file.h"
-#include "reader/vtk/stl_check.h"
 #include "reader/vtk/surface_header.h"
 #include "reader/vtk/xml/xml_reader.h"
 #include "reader/vtk/xml/xml_tree.h"
@@ -54,39 +53,22 @@ vtkSmartPointer<vtkAlgorithm> make()
     return vtkSmartPointer<Reader>::New();
 }
 
-std::unique_ptr<PartSource> openCgns(const std::string& path, std::optional<double> time)
+/// A function of a module, which is loaded when such a file comes.
+template <auto Function, class... Given>
+auto fromHdf5(Given... given)
 {
-    return hdf5Module().openCgns(path, time);
+    return (hdf5Module().*Function)(given...);
 }
 
-std::unique_ptr<PartSource> openExodus(const std::string& path, std::optional<double> time)
+template <auto Function>
+vtkSmartPointer<vtkAlgorithm> fromVtk()
 {
-    return hdf5Module().openExodus(path, time);
-}
-
-std::unique_ptr<OwnReader> openHdf(const std::string& path, FileUse use, std::optional<double> time)
-{
-    return hdf5Module().openVtkHdf(path, use, time);
-}
-
-std::unique_ptr<OwnReader> openNetcdf(const std::string& path, FileUse use, std::optional<double> time)
-{
-    return hdf5Module().openNetcdfGrid(path, use, time);
+    return (vtkModule().*Function)();
 }
 
 std::unique_ptr<OwnReader> openFoam(const std::string& path, FileUse use, std::optional<double> time)
 {
     return std::make_unique<PartBlocks>(openFoamCase(path, use, time), path, use);
-}
-
-vtkSmartPointer<vtkAlgorithm> makeStl()
-{
-    return vtkModule().makeStl();
-}
-
-vtkSmartPointer<vtkAlgorithm> makeNrrd()
-{
-    return vtkModule().makeNrrd();
 }
 
 template <vtkSmartPointer<vtkPolyData> (*Read)(const std::string&, const ProgressReport&)>
@@ -130,21 +112,22 @@ constexpr FormatReader readers[] = {
     {.endings = ".vtm .vtmb", .open = openMultiBlock},
     {.endings = ".vthb", .open = openMultiBlock},
     {.endings = ".case .encas", .open = openEnSight, .times = timesOfEnSight},
-    {.endings = ".cgns", .openParts = openCgns},
-    {.endings = ".e .exo .ex2 .exii .g", .openParts = openExodus},
-    {.endings = ".vtkhdf .hdf", .open = openHdf},
-    {.endings = ".nc .nc4 .cdf", .open = openNetcdf},
+    {.endings = ".cgns", .openParts = fromHdf5<&Hdf5Module::openCgns>},
+    {.endings = ".e .exo .ex2 .exii .g", .openParts = fromHdf5<&Hdf5Module::openExodus>},
+    {.endings = ".vtkhdf .hdf", .open = fromHdf5<&Hdf5Module::openVtkHdf>},
+    {.endings = ".nc .nc4 .cdf", .open = fromHdf5<&Hdf5Module::openNetcdfGrid>},
     {.endings = ".tec .dat .plt", .unpacked = kPlain, .openParts = openTecplotFile},
     {.endings = ".cas", .unpacked = kPlain, .openParts = openFluentFile},
     {.endings = ".msh", .unpacked = kPlain, .openParts = openFluentFile},
-    {.endings = ".stl", .unpacked = kPlain, .makeReader = makeStl, .check = checkStl, .counts = countsOfStl},
+    {.endings = ".stl", .unpacked = kPlain, .makeReader = fromVtk<&VtkModule::makeStl>,
+     .check = checkStl, .counts = countsOfStl},
     {.endings = ".ply", .unpacked = kPlain, .read = read<readPly>, .counts = countsOfPly},
     {.endings = ".obj", .unpacked = kPlain, .read = read<readObj>},
     {.endings = ".vtk", .unpacked = kPlain, .read = readLegacy},
     {.endings = ".vti", .unpacked = kXml, .makeReader = make<Xml<vtkXMLImageDataReader>>},
     {.endings = ".pvti", .makeReader = make<XmlPieces<vtkXMLPImageDataReader, vtkXMLImageDataReader>>},
-    {.endings = ".nhdr", .makeReader = makeNrrd},
-    {.endings = ".nrrd", .makeReader = makeNrrd},
+    {.endings = ".nhdr", .makeReader = fromVtk<&VtkModule::makeNrrd>},
+    {.endings = ".nrrd", .makeReader = fromVtk<&VtkModule::makeNrrd>},
     {.endings = ".vtr", .unpacked = kXml, .makeReader = make<Xml<vtkXMLRectilinearGridReader>>},
     {.endings = ".pvtr", .makeReader = make<XmlPieces<vtkXMLPRectilinearGridReader, vtkXMLRectilinearGridReader>>},
     {.endings = ".vts", .unpacked = kXml, .makeReader = make<Xml<vtkXMLStructuredGridReader>>},

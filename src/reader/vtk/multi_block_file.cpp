@@ -1,8 +1,6 @@
 #include "reader/vtk/multi_block_file.h"
 
 #include <fmt/format.h>
-#include <vtkCompositeDataSet.h>
-#include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 
 #include <algorithm>
@@ -10,7 +8,6 @@
 
 #include "aeolic/error.h"
 #include "base/text.h"
-#include "data/part_choice.h"
 #include "reader/vtk/amr_levels.h"
 #include "reader/vtk/block_arrays.h"
 #include "reader/vtk/data_file.h"
@@ -43,7 +40,7 @@ PartInfo partOf(const std::string& name, const std::vector<std::string>& groups,
 
 class MultiBlockFile : public OwnReader {
 public:
-    MultiBlockFile(const std::string& path, FileUse use) : path_(path), use_(use) { findBlocks(path, 1, "", {}); }
+    MultiBlockFile(const std::string& path, FileUse use) : OwnReader(path, use) { findBlocks(path, 1, "", {}); }
 
     const std::vector<ArrayInfo>& arrays() const override
     {
@@ -51,12 +48,11 @@ public:
         return arrays_;
     }
 
-    std::vector<double> times() const override { return {}; }
     const std::vector<PartInfo>& parts() const override { return parts_; }
 
-    void keepParts(std::vector<std::string> wanted) override
+    void keepParts(const std::vector<std::string>& wanted) override
     {
-        wanted_ = std::move(wanted);
+        OwnReader::keepParts(wanted);
         readers_.clear();
     }
 
@@ -70,9 +66,7 @@ public:
             const auto data = reader->read({}, "reading a block");
             if (auto* set = vtkDataSet::SafeDownCast(data)) unifyArrays(*set, kept);
             leveled.push_back({data, files_[part].level});
-            const unsigned number = blocks->GetNumberOfBlocks();
-            blocks->SetBlock(number, data);
-            blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), parts_[part].name.c_str());
+            addBlock(*blocks, data, parts_[part].name);
         }
         if (leveled.size() > 1 && leveled.back().level != kNoLevel) hideRefined(leveled);
         return blocks;
@@ -149,8 +143,6 @@ private:
         files_.push_back({file, walk.level});
     }
 
-    std::vector<std::size_t> chosen() const { return chosenParts(parts_, wanted_, use_, path_); }
-
     /// The files of the blocks that are wanted, and all arrays that any of them has.
     void open() const
     {
@@ -162,24 +154,17 @@ private:
                                  fmt::format("its block '{}' is the file {}", parts_[part].name, files_[part].name),
                                  "VTK XML files");
             auto reader = std::make_unique<DataFile>(files_[part].name, FileUse::any);
-            for (const ArrayInfo& array : reader->announcedArrays())
-                if (std::none_of(arrays_.begin(), arrays_.end(), [&](const ArrayInfo& each) {
-                        return each.name == array.name && each.onPoints == array.onPoints;
-                    }))
-                    arrays_.push_back(array);
+            addOthers(arrays_, reader->announcedArrays());
             readers_.emplace_back(part, std::move(reader));
         }
     }
 
-    std::string path_;
-    FileUse use_;
     std::vector<PartInfo> parts_;
     struct BlockFile {
         std::string name;
         int level;  // Or kNoLevel.
     };
     std::vector<BlockFile> files_;  // Of each part.
-    std::vector<std::string> wanted_;
     mutable std::vector<ArrayInfo> arrays_;
     mutable std::vector<std::pair<std::size_t, std::unique_ptr<DataFile>>> readers_;  // Of the parts that are wanted.
 };

@@ -17,17 +17,19 @@ namespace aeolic {
 /// the parts and arrays that are needed. Every failure is an InputError that begins with the file's name.
 class OwnReader {
 public:
+    /// `path`: in front of messages.
+    OwnReader(const std::string& path, FileUse use) : path_(path), use_(use) {}
     virtual ~OwnReader() = default;
 
     /// The arrays of the parts that are kept, where the file says it part by part.
     virtual const std::vector<ArrayInfo>& arrays() const = 0;
-    virtual std::vector<double> times() const = 0;
+    virtual std::vector<double> times() const { return {}; }
 
     /// Empty: it is all one. Else read() gives a multi-block data set of the parts that are kept, in this order.
     virtual const std::vector<PartInfo>& parts() const = 0;
 
     /// Leaves out all parts but these (data/part_choice.h); empty: the usual ones.
-    virtual void keepParts(std::vector<std::string> wanted) = 0;
+    virtual void keepParts(const std::vector<std::string>& wanted) { wanted_ = wanted; }
 
     /// Throws InputError where one of these arrays is there at other times alone.
     virtual void requireAtTime(const std::vector<std::string>&) const {}
@@ -46,6 +48,16 @@ public:
     {
         return read(kept);
     }
+
+protected:
+    /// The numbers of the parts that are kept.
+    std::vector<std::size_t> chosen() const { return chosenParts(parts(), wanted_, use_, path_); }
+
+    const std::string path_;
+    const FileUse use_;
+
+private:
+    std::vector<std::string> wanted_;
 };
 
 }  // namespace aeolic

@@ -1,26 +1,15 @@
 #include "reader/vtk/part_blocks.h"
 
 #include <fmt/format.h>
-#include <vtkCompositeDataSet.h>
-#include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
-#include <vtkType.h>
 
 #include <algorithm>
 
-#include "data/part_choice.h"
+#include "reader/vtk/block_arrays.h"
 #include "reader/vtk/part_data_set.h"
 
 namespace aeolic {
 namespace {
-
-int vtkTypeOf(NumberType type)
-{
-    constexpr int types[] = {VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
-                             VTK_INT,         VTK_UNSIGNED_INT,  VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
-                             VTK_FLOAT,       VTK_DOUBLE};
-    return types[std::size_t(type)];
-}
 
 /// Puts cells behind those of `all`, which has the same points with the same values.
 void join(PartMesh& all, PartMesh part, const std::vector<PartArray>& arrays)
@@ -43,20 +32,15 @@ void join(PartMesh& all, PartMesh part, const std::vector<PartArray>& arrays)
 }  // namespace
 
 PartBlocks::PartBlocks(std::unique_ptr<PartSource> source, const std::string& path, FileUse use)
-    : source_(std::move(source)), path_(path), use_(use)
+    : OwnReader(path, use), source_(std::move(source))
 {
     for (const PartArray& array : source_->arrays())
         arrays_.push_back({array.name, array.onPoints, array.components, vtkTypeOf(array.type)});
 }
 
-std::vector<std::size_t> PartBlocks::chosen() const
+void PartBlocks::keepParts(const std::vector<std::string>& wanted)
 {
-    return chosenParts(source_->parts(), wanted_, use_, path_);
-}
-
-void PartBlocks::keepParts(std::vector<std::string> wanted)
-{
-    wanted_ = std::move(wanted);
+    OwnReader::keepParts(wanted);
     const std::string usual = source_->usualVectors(chosen());
     for (ArrayInfo& array : arrays_) array.activeVectors = !usual.empty() && array.name == usual;
 }
@@ -74,19 +58,14 @@ vtkSmartPointer<vtkDataObject> PartBlocks::read(const std::vector<ArrayInfo>& ke
     std::vector<std::size_t> wanted;
     for (std::size_t i = 0; i < source_->arrays().size(); ++i) {
         const PartArray& array = source_->arrays()[i];
-        if (std::none_of(kept.begin(), kept.end(), [&](const ArrayInfo& each) {
-                return each.name == array.name && each.onPoints == array.onPoints;
-            }))
-            continue;
+        if (!isAmong(kept, array.name, array.onPoints)) continue;
         arrays.push_back(array);
         wanted.push_back(i);
     }
     auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
     const auto add = [&](PartMesh mesh, const PartInfo& part) {
-        const unsigned number = blocks->GetNumberOfBlocks();
-        blocks->SetBlock(number,
-                         dataSetOf(std::move(mesh), part.dimension, arrays, fmt::format("{}: '{}'", path_, part.name)));
-        blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), part.name.c_str());
+        const std::string where = fmt::format("{}: '{}'", path_, part.name);
+        addBlock(*blocks, dataSetOf(std::move(mesh), part.dimension, arrays, where), part.name);
     };
     const std::vector<PartInfo>& parts = source_->parts();
     std::vector<std::size_t> some = chosen();

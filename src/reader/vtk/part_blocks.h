@@ -14,13 +14,12 @@ namespace aeolic {
 /// The parts of a file, as VTK's data sets.
 class PartBlocks : public OwnReader {
 public:
-    /// `path`: in front of messages.
     PartBlocks(std::unique_ptr<PartSource> source, const std::string& path, FileUse use);
 
     const std::vector<ArrayInfo>& arrays() const override { return arrays_; }
     std::vector<double> times() const override { return source_->times(); }
     const std::vector<PartInfo>& parts() const override { return source_->parts(); }
-    void keepParts(std::vector<std::string> wanted) override;
+    void keepParts(const std::vector<std::string>& wanted) override;
     void requireAtTime(const std::vector<std::string>& arrays) const override { source_->requireAtTime(arrays); }
     void keepPolyhedra() override { source_->keepPolyhedra(); }
 
@@ -33,13 +32,8 @@ public:
     vtkSmartPointer<vtkDataObject> readPieces(const std::vector<ArrayInfo>& kept, const PieceRun& run) const override;
 
 private:
-    std::vector<std::size_t> chosen() const;
-
     std::unique_ptr<PartSource> source_;
-    std::string path_;
-    FileUse use_;
     std::vector<ArrayInfo> arrays_;
-    std::vector<std::string> wanted_;
 };
 
 }  // namespace aeolic

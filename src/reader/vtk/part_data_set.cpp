@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTypeUInt64Array.h>
 #include <vtkUnsignedCharArray.h>
@@ -19,6 +17,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/surface/polydata_mesh.h"
+#include "reader/vtk/block_arrays.h"
 
 namespace aeolic {
 namespace {
@@ -87,10 +86,7 @@ public:
         if (found && found->size() != expected * width)
             throw InputError(where_, fmt::format("'{}' has {} values", array.name, found->size() / width),
                              fmt::format("{}, one for each of the {}", expected, array.onPoints ? "points" : "cells"));
-        auto values = vtkSmartPointer<vtkFloatArray>::New();
-        values->SetName(array.name.c_str());
-        values->SetNumberOfComponents(array.components);
-        values->SetNumberOfTuples(vtkIdType(tuples));
+        auto values = floatArray(array.name, array.components, tuples);
         float* to = values->GetPointer(0);
         if (!found) {
             std::fill_n(to, tuples * width, kMissing);
@@ -224,8 +220,8 @@ vtkSmartPointer<vtkPointSet> dataSetOf(PartMesh part, int dimension, const std::
         set->GetCellData()->AddArray(all);
     }
     for (std::size_t i = 0; i < arrays.size(); ++i) {
-        auto* all = arrays[i].onPoints ? static_cast<vtkFieldData*>(set->GetPointData()) : set->GetCellData();
-        all->AddArray(maker.values(arrays[i], i < values.size() ? values[i] : nullptr));
+        const PartArray& array = arrays[i];
+        valuesOf(*set, array.onPoints).AddArray(maker.values(array, i < values.size() ? values[i] : nullptr));
     }
     return set;
 }

@@ -27,15 +27,14 @@ PlyHeader::Format readFormat(std::istringstream& words, const std::string& path,
     fail(path, line, "'format ascii 1.0', 'format binary_little_endian 1.0' or 'format binary_big_endian 1.0'");
 }
 
-PlyType readType(std::istringstream& words, const std::string& path, const std::string& line)
+NumberType readType(std::istringstream& words, const std::string& path, const std::string& line)
 {
-    static const std::map<std::string, PlyType> types{
-        {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
-        {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
-        {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
-        {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
-        {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
-        {"float64", PlyType::float64}};
+    using enum NumberType;
+    static const std::map<std::string, NumberType> types{
+        {"char", int8},     {"int8", int8},       {"uchar", uint8},    {"uint8", uint8},
+        {"short", int16},   {"int16", int16},     {"ushort", uint16},  {"uint16", uint16},
+        {"int", int32},     {"int32", int32},     {"uint", uint32},    {"uint32", uint32},
+        {"float", float32}, {"float32", float32}, {"double", float64}, {"float64", float64}};
     std::string name;
     words >> name;
     const auto type = types.find(name);
@@ -70,12 +69,6 @@ void add(std::vector<Item>& items, Item item, const std::string& path, const std
 }
 
 }  // namespace
-
-int bytesOf(PlyType type)
-{
-    constexpr int bytes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-    return bytes[static_cast<int>(type)];
-}
 
 PlyHeader readPlyHeader(std::istream& file, const std::string& path)
 {

@@ -5,17 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "reader/binary/numbers.h"
+
 namespace aeolic {
-
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-int bytesOf(PlyType type);
 
 struct PlyProperty {
     std::string name;
-    PlyType type = PlyType::float32;  ///< The value's type, or that of the list's entries.
+    NumberType type = NumberType::float32;  ///< The value's type, or that of the list's entries.
     bool isList = false;
-    PlyType countType = PlyType::uint8;  ///< The type of the list's length.
+    NumberType countType = NumberType::uint8;  ///< The type of the list's length.
 };
 
 struct PlyElement {

@@ -8,7 +8,7 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -30,7 +30,7 @@ public:
     PlyNumbers(std::istream& file, PlyHeader::Format format) : file_(file), format_(format) {}
 
     /// Nothing at the end of the file, or where a text is no number.
-    std::optional<double> next(PlyType type)
+    std::optional<double> next(NumberType type)
     {
         return format_ == PlyHeader::Format::text ? nextText() : nextBinary(type);
     }
@@ -45,30 +45,13 @@ private:
         return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
     }
 
-    std::optional<double> nextBinary(PlyType type)
+    std::optional<double> nextBinary(NumberType type)
     {
-        char raw[8];
-        const int bytes = bytesOf(type);
-        if (!file_.read(raw, bytes)) return std::nullopt;
-        std::uint64_t bits = 0;
-        for (int i = 0; i < bytes; ++i) {
-            const int at = format_ == PlyHeader::Format::bigEndian ? bytes - 1 - i : i;
-            bits |= std::uint64_t(static_cast<unsigned char>(raw[at])) << (8 * i);
-        }
-        switch (type) {
-            case PlyType::int8:
-                return static_cast<std::int8_t>(bits);
-            case PlyType::int16:
-                return static_cast<std::int16_t>(bits);
-            case PlyType::int32:
-                return static_cast<std::int32_t>(bits);
-            case PlyType::float32:
-                return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-            case PlyType::float64:
-                return std::bit_cast<double>(bits);
-            default:
-                return double(bits);
-        }
+        std::array<std::uint8_t, 8> raw;
+        if (!file_.read(reinterpret_cast<char*>(raw.data()), std::streamsize(bytesOf(type)))) return std::nullopt;
+        double value = 0;
+        convertNumbers<double>(raw.data(), type, format_ == PlyHeader::Format::bigEndian, {&value, 1});
+        return value;
     }
 
     std::istream& file_;
@@ -116,7 +99,7 @@ private:
                          fmt::format("the {} that the header declares", element.count));
     }
 
-    double next(const PlyElement& element, PlyType type, std::uint64_t item)
+    double next(const PlyElement& element, NumberType type, std::uint64_t item)
     {
         const auto value = numbers_.next(type);
         if (!value) failCutOff(element, item);
@@ -143,51 +126,67 @@ private:
             const auto* name = std::find(std::begin(names), std::end(names), property.isList ? "" : property.name);
             slots.push_back(name == std::end(names) ? -1 : int(name - names));
             if (slots.back() >= 0) known |= 1 << slots.back();
-            if (slots.back() == 0 && property.type == PlyType::float64) points_->SetDataTypeToDouble();
+            if (slots.back() == 0 && property.type == NumberType::float64) points_->SetDataTypeToDouble();
         }
         if ((known & 7) != 7) throw InputError(path_, "a vertex has no x, y and z", "three numbers");
-        pointArrays_ = arraysFor(element, slots);
         normals_->SetNumberOfComponents(3);
         normals_->SetName("Normals");
-        double values[6] = {};
-        for (std::uint64_t i = 0; i < element.count; ++i) {
-            std::size_t array = 0;
-            for (std::size_t k = 0; k < slots.size(); ++k) {
-                if (element.properties[k].isList) {
-                    readList(element, element.properties[k], i);
-                    continue;
-                }
-                const double value = next(element, element.properties[k].type, i);
-                if (slots[k] >= 0)
-                    values[slots[k]] = value;
-                else
-                    pointArrays_[array++]->InsertNextValue(static_cast<float>(value));
-            }
-            points_->InsertNextPoint(values);
-            if (known == 63) normals_->InsertNextTuple(values + 3);
-            report(i);
-        }
+        pointArrays_ = readItems(
+            element, slots, [](const PlyProperty&, std::uint64_t) {},
+            [&] {
+                points_->InsertNextPoint(values_.data());
+                if (known == 63) normals_->InsertNextTuple(values_.data() + 3);
+            });
     }
 
     void readFaces(const PlyElement& element)
     {
-        const std::vector<int> slots(element.properties.size(), -1);
-        faceArrays_ = arraysFor(element, slots);
-        bool hasCorners = false;
-        for (const PlyProperty& property : element.properties) hasCorners |= isCorners(property);
-        if (!hasCorners) throw InputError(path_, "a face has no list of vertices", "a list vertex_indices");
+        if (std::none_of(element.properties.begin(), element.properties.end(), isCorners))
+            throw InputError(path_, "a face has no list of vertices", "a list vertex_indices");
+        const auto takeList = [&](const PlyProperty& property, std::uint64_t face) {
+            if (isCorners(property)) insertFace(face);
+        };
+        faceArrays_ = readItems(element, std::vector<int>(element.properties.size(), -1), takeList, [] {});
+    }
+
+    void skip(const PlyElement& element)
+    {
+        readItems(
+            element, std::vector<int>(element.properties.size(), 0), [](const PlyProperty&, std::uint64_t) {}, [] {});
+    }
+
+    /// Numbers go to the slot of `values_` that `slots` says for each property, or, where it is -1, into an array of
+    /// the property's name. takeList(property, item) gets each list in entries_, and takeItem() ends each item.
+    template <class TakeList, class TakeItem>
+    Arrays readItems(const PlyElement& element, const std::vector<int>& slots, const TakeList& takeList,
+                     const TakeItem& takeItem)
+    {
+        if (element.properties.empty()) return {};
+        Arrays arrays(slots.size());  // Null where numbers have a slot, and for lists.
+        for (std::size_t k = 0; k < slots.size(); ++k) {
+            if (slots[k] >= 0 || element.properties[k].isList) continue;
+            arrays[k] = vtkSmartPointer<vtkFloatArray>::New();
+            arrays[k]->SetName(element.properties[k].name.c_str());
+        }
         for (std::uint64_t i = 0; i < element.count; ++i) {
-            std::size_t array = 0;
-            for (const PlyProperty& property : element.properties) {
-                if (!property.isList) {
-                    faceArrays_[array++]->InsertNextValue(static_cast<float>(next(element, property.type, i)));
+            for (std::size_t k = 0; k < slots.size(); ++k) {
+                const PlyProperty& property = element.properties[k];
+                if (property.isList) {
+                    readList(element, property, i);
+                    takeList(property, i);
                     continue;
                 }
-                readList(element, property, i);
-                if (isCorners(property)) insertFace(i);
+                const double value = next(element, property.type, i);
+                if (arrays[k])
+                    arrays[k]->InsertNextValue(static_cast<float>(value));
+                else
+                    values_[std::size_t(slots[k])] = value;
             }
-            report(i);
+            takeItem();
+            if (i % reportEvery == 0) progress_("reading the surface", double(file_.tellg()) / double(fileBytes_));
         }
+        std::erase_if(arrays, [](const auto& array) { return !array; });
+        return arrays;
     }
 
     void insertFace(std::uint64_t face)
@@ -201,38 +200,9 @@ private:
         faces_->InsertNextCell(vtkIdType(corners_.size()), corners_.data());
     }
 
-    void skip(const PlyElement& element)
-    {
-        if (element.properties.empty()) return;
-        for (std::uint64_t i = 0; i < element.count; ++i)
-            for (const PlyProperty& property : element.properties) {
-                if (property.isList)
-                    readList(element, property, i);
-                else
-                    next(element, property.type, i);
-            }
-    }
-
     static bool isCorners(const PlyProperty& property)
     {
         return property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
-    }
-
-    /// One array for each number that has no slot.
-    static Arrays arraysFor(const PlyElement& element, const std::vector<int>& slots)
-    {
-        Arrays arrays;
-        for (std::size_t k = 0; k < slots.size(); ++k)
-            if (slots[k] < 0 && !element.properties[k].isList) {
-                arrays.push_back(vtkSmartPointer<vtkFloatArray>::New());
-                arrays.back()->SetName(element.properties[k].name.c_str());
-            }
-        return arrays;
-    }
-
-    void report(std::uint64_t item)
-    {
-        if (item % reportEvery == 0) progress_("reading the surface", double(file_.tellg()) / double(fileBytes_));
     }
 
     std::string path_;
@@ -245,6 +215,7 @@ private:
     vtkNew<vtkCellArray> faces_;
     vtkNew<vtkFloatArray> normals_;
     Arrays pointArrays_, faceArrays_;
+    std::array<double, 6> values_{};  // Of a vertex: x, y, z, nx, ny, nz.
     std::vector<double> entries_;
     std::vector<vtkIdType> corners_;
 };

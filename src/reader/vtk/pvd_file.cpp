@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <vtkXMLDataElement.h>
 
-#include <cstring>
-
 #include "aeolic/error.h"
 #include "reader/vtk/xml/xml_tree.h"
 
@@ -14,14 +12,11 @@ std::vector<SeriesEntry> readPvdFile(const std::string& path)
 {
     constexpr const char* expected = "a ParaView collection: <VTKFile type=\"Collection\"><Collection><DataSet …/>";
     const auto root = parseXml(path, expected);
-    vtkXMLDataElement* collection = nullptr;
-    if (root->GetName() && std::strcmp(root->GetName(), "VTKFile") == 0)
-        collection = root->FindNestedElementWithName("Collection");
-    if (!collection) throw InputError(path, "it holds no Collection", expected);
+    std::vector<vtkXMLDataElement*> collections;
+    if (std::string(root->GetName()) == "VTKFile") collections = childrenOf(*root, "Collection");
+    if (collections.empty()) throw InputError(path, "it holds no Collection", expected);
     std::vector<SeriesEntry> entries;
-    for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
-        vtkXMLDataElement* element = collection->GetNestedElement(i);
-        if (!element->GetName() || std::strcmp(element->GetName(), "DataSet") != 0) continue;
+    for (vtkXMLDataElement* element : childrenOf(*collections.front(), "DataSet")) {
         const std::string where = fmt::format("{}: DataSet {}", path, entries.size() + 1);
         const char *file = element->GetAttribute("file"), *time = element->GetAttribute("timestep");
         if (!file || !*file) throw InputError(where, "it has no file", "file=\"NAME\"");

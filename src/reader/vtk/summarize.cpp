@@ -4,7 +4,6 @@
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellTypes.h>
-#include <vtkCompositeDataIterator.h>
 #include <vtkFieldData.h>
 #include <vtkGenericCell.h>
 #include <vtkImageData.h>
@@ -40,9 +39,8 @@ std::vector<vtkDataSet*> dataSetsOf(vtkDataObject& data)
     std::vector<vtkDataSet*> sets;
     if (auto* single = vtkDataSet::SafeDownCast(&data)) sets.push_back(single);
     if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(&data)) {
-        const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-        for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-            if (auto* block = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject())) sets.push_back(block);
+        for (const Block& block : blocksOf(*blocks))
+            if (auto* set = vtkDataSet::SafeDownCast(block.data)) sets.push_back(set);
     }
     return sets;
 }

@@ -1,12 +1,16 @@
 #include "reader/vtk/surface_header.h"
 
+#include <fmt/format.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 
+#include "aeolic/error.h"
+#include "base/text.h"
 #include "data/named_file.h"
 #include "data/vtk/messages.h"
 #include "reader/vtk/ply_header.h"
@@ -33,6 +37,33 @@ protected:
     PolyDataHeader() = default;
 };
 vtkStandardNewMacro(PolyDataHeader);
+
+/// Up to so many bytes from there on.
+std::string bytesAt(const std::string& path, std::uint64_t begin, std::size_t count)
+{
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(std::streamoff(begin));
+    std::string bytes(count, '\0');
+    file.read(bytes.data(), std::streamsize(count));
+    bytes.resize(std::size_t(file.gcount()));
+    return bytes;
+}
+
+/// What a binary STL file begins with, and the triangles that it says it has.
+struct StlHeader {
+    static constexpr std::size_t kBytes = 84;
+
+    explicit StlHeader(const std::string& path) : text(bytesAt(path, 0, kBytes))
+    {
+        if (isWhole()) std::memcpy(&triangles, text.data() + 80, 4);  // Little-endian, like this machine.
+    }
+
+    bool isWhole() const { return text.size() == kBytes; }
+    std::uint64_t fileBytes() const { return kBytes + 50 * std::uint64_t(triangles); }
+
+    std::string text;
+    std::uint32_t triangles = 0;
+};
 
 }  // namespace
 
@@ -64,12 +95,25 @@ std::optional<SurfaceCounts> countsOfPly(const std::string& path)
 std::optional<SurfaceCounts> countsOfStl(const std::string& path)
 {
     const std::uint64_t fileBytes = checkReadableFile(path);
-    char header[84] = {};
-    if (!std::ifstream(path, std::ios::binary).read(header, sizeof header)) return std::nullopt;
-    std::uint32_t triangles = 0;
-    std::memcpy(&triangles, header + 80, 4);                                   // Little-endian.
-    if (fileBytes != 84 + 50 * std::uint64_t(triangles)) return std::nullopt;  // Text.
-    return SurfaceCounts{0, triangles};
+    const StlHeader header(path);
+    if (!header.isWhole() || fileBytes != header.fileBytes()) return std::nullopt;  // Text.
+    return SurfaceCounts{0, header.triangles};
+}
+
+void checkStl(const std::string& path, std::uint64_t fileBytes)
+{
+    constexpr std::uint64_t tailBytes = 4096;  // With blanks behind the last line.
+    const StlHeader header(path);
+    if (header.isWhole() && fileBytes == header.fileBytes()) return;
+    if (lowerCase(header.text).find("solid") < 80 && header.text.find('\0') == std::string::npos) {
+        const std::string tail = bytesAt(path, fileBytes - std::min(fileBytes, tailBytes), tailBytes);
+        if (lowerCase(tail).find("endsolid") != std::string::npos) return;
+        throw InputError(path, "the file is cut off: it has no last line", "a last line 'endsolid'");
+    }
+    if (fileBytes < header.fileBytes())
+        throw InputError(
+            path, fmt::format("the file is cut off: it holds {} bytes", fileBytes),
+            fmt::format("{} for the {} triangles its header declares", header.fileBytes(), header.triangles));
 }
 
 }  // namespace aeolic

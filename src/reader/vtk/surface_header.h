@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -12,5 +13,9 @@ namespace aeolic {
 std::optional<SurfaceCounts> countsOfXml(const std::string& path);
 std::optional<SurfaceCounts> countsOfPly(const std::string& path);
 std::optional<SurfaceCounts> countsOfStl(const std::string& path);
+
+/// VTK takes what is left of an STL file that was cut off for a smaller surface. Throws InputError unless the file is
+/// as long as its header says, or is text with a last line.
+void checkStl(const std::string& path, std::uint64_t fileBytes);
 
 }  // namespace aeolic

@@ -3,9 +3,10 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
+#include <fstream>
+#include <string>
 
 #include "aeolic/error.h"
-#include "base/processor.h"
 #include "render/cpu/edges/edge_stage.h"
 #include "render/cpu/lic/lic_stage.h"
 #include "render/cpu/lic/phase_mixer.h"
@@ -17,6 +18,17 @@
 
 namespace aeolic::cpu {
 namespace {
+
+/// The processor's name as the system gives it, for people.
+std::string processorName()
+{
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    }
+    return "unknown processor";
+}
 
 // 32-bit gather indices count the floats of 48-byte vertex records and the words of triangles.
 constexpr std::size_t kMostPoints = (std::size_t{1} << 31) / 12, kMostTriangles = (std::size_t{1} << 31) / 3;
@@ -95,10 +107,9 @@ public:
 
     void shade(const Palette& palette, const Extent& compute, Tile& out, EdgeExchange* pieces) override
     {
-        shadeRows({buffer_, lic_.values(), occlusion_.open(), palette}, compute, out);
-        if (palette.antialias)
-            edges_.run({projection_.arrays(), view_, buffer_, lic_.values(), occlusion_.open(), palette},
-                       projection_.visibility(), compute, out, pieces);
+        const EdgeScene scene{{buffer_, lic_.values(), occlusion_.open(), palette}, projection_.arrays(), view_};
+        shadeRows(scene, compute, out);
+        if (palette.antialias) edges_.run(scene, projection_.visibility(), compute, out, pieces);
     }
 
     std::int64_t coveredPixels(int y0, int y1) override
@@ -119,9 +130,8 @@ public:
         for (int y = rows.y0; y < rows.y1; ++y) {
             const auto copy = [&](const auto& from, auto& to) {
                 const ColumnSpan& columns = buffer_.surfaceColumns(y);  // Beside them anything stands.
-                auto* row = to.row(y);
-                std::fill(row + rows.x0, row + rows.x1, 0);
-                if (!columns.empty()) std::copy(from.row(y) + columns.x0, from.row(y) + columns.x1, row + columns.x0);
+                to.clearBeside(y, columns);
+                std::copy(from.row(y) + columns.x0, from.row(y) + columns.x1, to.row(y) + columns.x0);
             };
             copy(buffer_.invDepth, out.invDepth);
             copy(buffer_.gradX, out.gradX);
@@ -134,10 +144,11 @@ public:
 
     const GBuffer& gbuffer() override
     {
+        // What no stage reads or writes holds anything.
         for (int y = buffer_.valid().y0; y < buffer_.valid().y1; ++y) {
-            clearBeside(y, buffer_.invDepth);
-            clearBeside(y, buffer_.flow);
-            clearBeside(y, buffer_.links);
+            buffer_.invDepth.clearBeside(y, buffer_.surfaceColumns(y));
+            buffer_.flow.clearBeside(y, buffer_.surfaceColumns(y));
+            buffer_.links.clearBeside(y, buffer_.surfaceColumns(y));
         }
         return buffer_;
     }
@@ -145,7 +156,7 @@ public:
     const Image<float>& lic() override
     {
         LicImage& values = lic_.values();
-        for (int y = values.valid().y0; y < values.valid().y1; ++y) clearBeside(y, values);
+        for (int y = values.valid().y0; y < values.valid().y1; ++y) values.clearBeside(y, buffer_.surfaceColumns(y));
         return values;
     }
 
@@ -157,16 +168,6 @@ public:
     }
 
 private:
-    /// Clears what no stage reads or writes.
-    template <class T>
-    void clearBeside(int y, Image<T>& image) const
-    {
-        const ColumnSpan columns = buffer_.surfaceColumns(y);
-        T* row = image.row(y);
-        std::fill(row + image.valid().x0, row + columns.x0, T{});
-        std::fill(row + columns.x1, row + image.valid().x1, T{});
-    }
-
     const Scene& scene_;
     Projection projection_;
     CoverageCount coverage_;

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <bit>
-#include <cstdint>
-
 #include "aeolic/scene_description.h"
 #include "render/limits.h"
 
@@ -13,6 +10,9 @@
 /// The taps are the pixels nearest to the straight line through a pixel along its own vector, one in each column, or in
 /// each row where the line is steeper. Each is reached over a link from the one before. Integers decide which they are,
 /// so they are the same on every backend.
+///
+/// They are looked up in words: a pixel's value with its links in the eight lowest bits, so one look-up brings both. 16
+/// bits of the value's fraction are left.
 namespace aeolic::along_flow {
 
 /// The weights of the pixel itself, and of those 1, 2 and 3 pixels to either side.
@@ -26,12 +26,5 @@ inline bool wanted(const LicOptions& lic)
 
 /// What brings the average back to the contrast that the values had, on uniform flow: the inverse of its deviation.
 float gain(const LicOptions& lic);
-
-/// A pixel's value with its links in the eight lowest bits: one look-up brings both. 16 bits of the value's fraction
-/// are left.
-inline std::uint32_t word(float value, std::uint8_t links)
-{
-    return (std::bit_cast<std::uint32_t>(value) & ~0xFFu) | links;
-}
 
 }  // namespace aeolic::along_flow

@@ -30,21 +30,12 @@ NearFlow::NearFlow(const Extent& rows, const std::vector<ColumnSpan>& flow) : ro
     constexpr int kMargin = kColumns / 2;
     const int height = rows.height();
     for (int y = 0; y < height; ++y) {
-        ColumnSpan& near = near_[std::size_t(y)];
-        near = {rows.x1, rows.x0};
-        for (int k = std::max(y - kRows, 0); k <= std::min(y + kRows, height - 1); ++k) {
-            const ColumnSpan& span = flow[std::size_t(k)];
-            if (span.empty()) continue;
-            near.x0 = std::min(near.x0, span.x0);
-            near.x1 = std::max(near.x1, span.x1);
-        }
-        if (near.empty()) {
-            near = {};
-            continue;
-        }
+        ColumnSpan near;
+        for (int k = std::max(y - kRows, 0); k <= std::min(y + kRows, height - 1); ++k)
+            near = near.with(flow[std::size_t(k)]);
+        if (near.empty()) continue;
         const int fromLeft = std::max(near.x0 - kMargin - rows.x0, 0);
-        near.x0 = rows.x0 + fromLeft / kMargin * kMargin;
-        near.x1 = std::min(near.x1 + kMargin, rows.x1);
+        near_[std::size_t(y)] = {rows.x0 + fromLeft / kMargin * kMargin, std::min(near.x1 + kMargin, rows.x1)};
     }
 }
 

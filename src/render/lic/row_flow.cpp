@@ -24,12 +24,10 @@ RowFlow factsOf(const std::uint32_t* row, int x0, int x1)
 std::vector<RowFlow> rowFlow(const GBuffer& buffer, const Extent& own)
 {
     std::vector<RowFlow> facts(std::size_t(own.height()));
-    parallelRanges(facts.size(), 32, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int y = own.y0 + int(i);
-            const ColumnSpan& surface = buffer.surfaceColumns(y);
-            facts[i] = factsOf(buffer.flow.row(y), std::max(own.x0, surface.x0), std::min(own.x1, surface.x1));
-        }
+    parallelRows(own, 32, [&](int y) {
+        const ColumnSpan& surface = buffer.surfaceColumns(y);
+        facts[std::size_t(y - own.y0)] =
+            factsOf(buffer.flow.row(y), std::max(own.x0, surface.x0), std::min(own.x1, surface.x1));
     });
     return facts;
 }

@@ -4,7 +4,6 @@
 #include <boost/beast/websocket/error.hpp>
 #include <stdexcept>
 
-#include "stream/waitable.h"
 #include "stream/web_connection.h"
 
 namespace aeolic::stream {

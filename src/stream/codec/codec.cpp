@@ -8,13 +8,42 @@
 #include <string>
 
 #include "stream/codec/codec_kinds.h"
-#include "stream/protocol_error.h"
+#include "stream/wire.h"
 #include "version.h"
 
 namespace aeolic::stream {
 namespace {
 
-constexpr std::array<std::string_view, 5> kNames{"raw", "jpeg", "png", "lz4", "lzo"};
+void encodeRaw(const Pixels& pixels, int, std::vector<std::uint8_t>& out)
+{
+    out.insert(out.end(), pixels.data, pixels.data + pixels.bytes());
+}
+
+void decodeRaw(std::span<const std::uint8_t> encoded, const PixelRoom& out)
+{
+    std::copy(encoded.begin(), encoded.end(), out.data);
+}
+
+struct Kind {
+    std::string_view name;
+    void (*encode)(const Pixels& pixels, int quality, std::vector<std::uint8_t>& out);  ///< Null: not in this build.
+    void (*decode)(std::span<const std::uint8_t> encoded, const PixelRoom& out);
+};
+
+constexpr Kind lzoKind()
+{
+    if constexpr (builtWithLzo)
+        return {"lzo", encodeLzo, decodeLzo};
+    else
+        return {"lzo", nullptr, nullptr};
+}
+
+/// In the order of Codec.
+constexpr std::array<Kind, 5> kKinds{{{"raw", encodeRaw, decodeRaw},
+                                      {"jpeg", encodeJpeg, decodeJpeg},
+                                      {"png", encodePng, decodePng},
+                                      {"lz4", encodeLz4, decodeLz4},
+                                      lzoKind()}};
 
 bool fits(int width, int rows, int channels)
 {
@@ -28,57 +57,23 @@ std::string sizeText(int width, int rows, int channels)
     return std::to_string(width) + "x" + std::to_string(rows) + " pixels of " + std::to_string(channels) + " bytes";
 }
 
-void encodeTo(Codec codec, const Pixels& pixels, int quality, std::vector<std::uint8_t>& out)
-{
-    switch (codec) {
-        case Codec::raw:
-            out.insert(out.end(), pixels.data, pixels.data + pixels.bytes());
-            return;
-        case Codec::jpeg:
-            return encodeJpeg(pixels, quality, out);
-        case Codec::png:
-            return encodePng(pixels, out);
-        case Codec::lz4:
-            return encodeLz4(pixels, out);
-        case Codec::lzo:
-            return encodeLzo(pixels, out);
-    }
-}
-
-void decodeTo(Codec codec, std::span<const std::uint8_t> encoded, const PixelRoom& out)
-{
-    switch (codec) {
-        case Codec::raw:
-            std::copy(encoded.begin(), encoded.end(), out.data);
-            return;
-        case Codec::jpeg:
-            return decodeJpeg(encoded, out);
-        case Codec::png:
-            return decodePng(encoded, out);
-        case Codec::lz4:
-            return decodeLz4(encoded, out);
-        case Codec::lzo:
-            return decodeLzo(encoded, out);
-    }
-}
-
 }  // namespace
 
 bool available(Codec codec)
 {
-    return std::size_t(codec) < kNames.size() && (codec != Codec::lzo || builtWithLzo);
+    return std::size_t(codec) < kKinds.size() && kKinds[std::size_t(codec)].encode;
 }
 
 std::string_view codecName(Codec codec)
 {
-    return std::size_t(codec) < kNames.size() ? kNames[std::size_t(codec)] : "unknown";
+    return std::size_t(codec) < kKinds.size() ? kKinds[std::size_t(codec)].name : "unknown";
 }
 
 std::optional<Codec> codecFromName(std::string_view name)
 {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) return std::nullopt;
-    return Codec(found - kNames.begin());
+    const auto found = std::ranges::find(kKinds, name, &Kind::name);
+    if (found == kKinds.end()) return std::nullopt;
+    return Codec(found - kKinds.begin());
 }
 
 void encode(Codec codec, const Pixels& pixels, int quality, std::vector<std::uint8_t>& out)
@@ -91,7 +86,7 @@ void encode(Codec codec, const Pixels& pixels, int quality, std::vector<std::uin
         throw std::invalid_argument("jpeg quality " + std::to_string(quality));
     const std::size_t before = out.size();
     try {
-        encodeTo(codec, pixels, quality, out);
+        kKinds[std::size_t(codec)].encode(pixels, quality, out);
     } catch (...) {
         out.resize(before);
         throw;
@@ -110,7 +105,7 @@ void decode(Codec codec, std::span<const std::uint8_t> encoded, int width, int r
         throw ProtocolError("tile: raw, " + std::to_string(encoded.size()) + " bytes; expected " +
                             std::to_string(room.bytes()));
     out.resize(room.bytes());
-    decodeTo(codec, encoded, {out.data(), width, rows, channels});
+    kKinds[std::size_t(codec)].decode(encoded, {out.data(), width, rows, channels});
 }
 
 std::uint32_t crc32(std::span<const std::uint8_t> bytes)

@@ -17,13 +17,15 @@ inline constexpr int kLongestTileSide = 32768;                           ///< Pi
 inline constexpr std::size_t kLargestTileBytes = std::size_t(64) << 20;  ///< Pixels that are not encoded.
 
 /// Full rows of a picture, top to bottom, no padding: width * rows * channels bytes, sRGB values.
-struct Pixels {
-    const std::uint8_t* data;
+template <class Byte>
+struct PixelRows {
+    Byte* data;
     int width, rows;  ///< Each 1 … kLongestTileSide; all bytes together at most kLargestTileBytes.
     int channels;     ///< 3 RGB, 4 RGBA (not premultiplied).
 
     std::size_t bytes() const { return std::size_t(width) * std::size_t(rows) * std::size_t(channels); }
 };
+using Pixels = PixelRows<const std::uint8_t>;
 
 /// Whether this build has the codec. `lzo` needs AEOLIC_LZO. False for numbers that are no codec.
 bool available(Codec codec);

@@ -10,7 +10,7 @@
 
 #include "stream/codec/codec.h"
 #include "stream/codec/codec_testing.h"
-#include "stream/protocol_error.h"
+#include "stream/wire.h"
 
 /// Decoders against bytes that lie. With the address sanitizer these also show that no byte out of bounds is touched.
 namespace aeolic::stream {

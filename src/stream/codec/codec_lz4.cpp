@@ -5,13 +5,13 @@
 #include "stream/codec/codec_kinds.h"
 #include "stream/codec/codec_scratch.h"
 #include "stream/codec/row_filter.h"
-#include "stream/protocol_error.h"
+#include "stream/wire.h"
 
 namespace aeolic::stream {
 
 static_assert(kLargestTileBytes <= LZ4_MAX_INPUT_SIZE);
 
-void encodeLz4(const Pixels& pixels, std::vector<std::uint8_t>& out)
+void encodeLz4(const Pixels& pixels, int, std::vector<std::uint8_t>& out)
 {
     const int size = int(pixels.bytes()), bound = LZ4_compressBound(size);
     const Scratch scratch(pixels.bytes() + std::size_t(bound));

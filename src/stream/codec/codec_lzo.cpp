@@ -6,7 +6,7 @@
 #include "stream/codec/codec_kinds.h"
 #include "stream/codec/codec_scratch.h"
 #include "stream/codec/row_filter.h"
-#include "stream/protocol_error.h"
+#include "stream/wire.h"
 
 // LZO is under the GNU General Public License, and so is every build that compiles this file (docs/decisions).
 namespace aeolic::stream {
@@ -27,7 +27,7 @@ void startLzo()
 
 }  // namespace
 
-void encodeLzo(const Pixels& pixels, std::vector<std::uint8_t>& out)
+void encodeLzo(const Pixels& pixels, int, std::vector<std::uint8_t>& out)
 {
     startLzo();
     const Scratch scratch(pixels.bytes() + mostEncodedBytes(pixels.bytes()));

@@ -9,7 +9,7 @@
 
 #include "output/png_writer.h"
 #include "stream/codec/codec_kinds.h"
-#include "stream/protocol_error.h"
+#include "stream/wire.h"
 
 // libpng reports errors by longjmp. The functions that call setjmp here, and those that libpng calls, have no objects
 // with destructors and let no exception out; what they find goes through PngJob to the functions that may throw.
@@ -74,7 +74,7 @@ bool readFile(PngJob& job, const PixelRoom& out)
 
 }  // namespace
 
-void encodePng(const Pixels& pixels, std::vector<std::uint8_t>& out)
+void encodePng(const Pixels& pixels, int, std::vector<std::uint8_t>& out)
 {
     try {
         appendPng({pixels.data, pixels.width, pixels.rows, pixels.channels}, kEffort, out);

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "stream/codec/codec_testing.h"
-#include "stream/protocol_error.h"
+#include "stream/wire.h"
 #include "version.h"
 
 namespace aeolic::stream {

@@ -2,14 +2,45 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <utility>
 
-#include "stream/gateway/web_assets.h"
+#include "base/embedded_file.h"
 #include "stream/token.h"
+
+extern "C" const aeolic::EmbeddedFile aeolicWebFiles[];
 
 namespace aeolic::stream {
 namespace {
 
 namespace http = boost::beast::http;
+
+/// A file of the page, as bytes in the program.
+struct WebAsset {
+    std::string_view bytes, contentType;
+};
+
+std::string_view contentType(std::string_view name)
+{
+    constexpr std::pair<std::string_view, std::string_view> types[] = {
+        {".html", "text/html; charset=utf-8"},        {".css", "text/css; charset=utf-8"},
+        {".js", "text/javascript; charset=utf-8"},    {".svg", "image/svg+xml"},
+        {".json", "application/json; charset=utf-8"}, {".webmanifest", "application/manifest+json"},
+    };
+    for (const auto& [ending, type] : types)
+        if (name.ends_with(ending)) return type;
+    return "application/octet-stream";
+}
+
+/// `path` is that of a request, without the query: "/", "/net/session.js". Nothing for a path outside of the page.
+std::optional<WebAsset> webAsset(std::string_view path)
+{
+    if (path.empty() || path.front() != '/') return std::nullopt;
+    const std::string_view name = path == "/" ? "index.html" : path.substr(1);
+    for (const EmbeddedFile* file = aeolicWebFiles; file->name; ++file)
+        if (name == file->name) return WebAsset{file->bytes(), contentType(name)};
+    return std::nullopt;
+}
 
 /// Whether a policy can hold the text as a host. A client writes what it likes into the Host field.
 bool isPlainHost(std::string_view host)
@@ -39,14 +70,15 @@ std::string policyFor(const HttpRequest& request, const HttpRules& rules)
            (rules.embedded ? kPagesOfThisHost : "'none'");
 }
 
-HttpResponse textAnswer(const HttpRequest& request, std::string_view bytes, std::string_view type)
+HttpResponse textAnswer(const HttpRequest& request, http::status status, const WebAsset& text)
 {
-    HttpResponse response = emptyAnswer(request, http::status::ok);
-    response.set(http::field::content_type, boost::beast::string_view(type.data(), type.size()));
+    HttpResponse response = emptyAnswer(request, status);
+    response.set(http::field::content_type,
+                 boost::beast::string_view(text.contentType.data(), text.contentType.size()));
     response.set("X-Content-Type-Options", "nosniff");
     response.set(http::field::cache_control, "no-store");
-    response.content_length(bytes.size());
-    if (request.method() != http::verb::head) response.body() = bytes;
+    response.content_length(text.bytes.size());
+    if (request.method() != http::verb::head) response.body() = text.bytes;
     return response;
 }
 
@@ -61,19 +93,13 @@ bool isForAPerson(const HttpRequest& request)
 /// Says nothing that is not the same for everybody. Its style stands in it, because no other file is given away.
 HttpResponse denial(const HttpRequest& request)
 {
-    HttpResponse response = emptyAnswer(request, http::status::unauthorized);
     const auto page = webAsset("/denied.html");
-    if (!page || !isForAPerson(request)) return response;
-    response.set(http::field::content_type,
-                 boost::beast::string_view(page->contentType.data(), page->contentType.size()));
-    response.set("X-Content-Type-Options", "nosniff");
-    response.set(http::field::cache_control, "no-store");
+    if (!page || !isForAPerson(request)) return emptyAnswer(request, http::status::unauthorized);
+    HttpResponse response = textAnswer(request, http::status::unauthorized, *page);
     response.set("Content-Security-Policy",
                  "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'; "
                  "frame-ancestors 'none'");
     response.set("Referrer-Policy", "no-referrer");
-    response.content_length(page->bytes.size());
-    if (request.method() != http::verb::head) response.body() = page->bytes;
     return response;
 }
 
@@ -152,7 +178,8 @@ HttpResponse answer(const HttpRequest& request, const HttpRules& rules)
     if (request.method() != http::verb::get && request.method() != http::verb::head)
         return emptyAnswer(request, http::status::method_not_allowed);
     const std::string path = pathOf(request);
-    if (path == "/status") return textAnswer(request, rules.statusJson(), "application/json; charset=utf-8");
+    if (path == "/status")
+        return textAnswer(request, http::status::ok, {rules.statusJson(), "application/json; charset=utf-8"});
     const auto asset = webAsset(path);
     if (!asset) return emptyAnswer(request, http::status::not_found);
     const std::string clean = targetWithoutToken(request);  // It names a file of the page, so it is on this host.
@@ -160,7 +187,7 @@ HttpResponse answer(const HttpRequest& request, const HttpRules& rules)
     const bool opens = elsewhere && request.method() == http::verb::get && goesByToken(request, rules);
     HttpResponse response = elsewhere && (!opens || bringsCookieAtOnce(request))
                                 ? redirect(request, clean)
-                                : textAnswer(request, asset->bytes, asset->contentType);
+                                : textAnswer(request, http::status::ok, *asset);
     if (response.result() == http::status::ok) {
         response.set("Content-Security-Policy", policyFor(request, rules));
         response.set("Referrer-Policy", "no-referrer");

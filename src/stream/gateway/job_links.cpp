@@ -5,8 +5,8 @@
 #include <boost/asio/ip/host_name.hpp>
 
 #include "aeolic/error.h"
+#include "stream/link/accept.h"
 #include "stream/link/link_greeting.h"
-#include "stream/link/lost_peer.h"
 #include "stream/listen.h"
 
 namespace aeolic::stream {
@@ -67,11 +67,15 @@ struct JobLinks::Link : std::enable_shared_from_this<Link> {
 
 JobLinks::JobLinks(asio::io_context& io, const std::string& host, std::uint16_t port, std::chrono::seconds silenceLimit,
                    Events events)
-    : io_(io), acceptor_(listenForRanks(io, host, port)), silenceLimit_(silenceLimit), events_(std::move(events))
+    : io_(io),
+      acceptor_(std::make_shared<Tcp::acceptor>(listenForRanks(io, host, port))),
+      silenceLimit_(silenceLimit),
+      events_(std::move(events))
 {
     hosts_.push_back(host.empty() ? asio::ip::host_name() : host);
     if (host.empty()) hosts_.emplace_back("127.0.0.1");
-    asio::co_spawn(io_, acceptAll(), asio::detached);
+    asio::co_spawn(io_, acceptAll(acceptor_, silenceLimit_, [this](Tcp::socket socket) { take(std::move(socket)); }),
+                   asio::detached);
     asio::co_spawn(io_, pingAll(), asio::detached);
 }
 
@@ -80,19 +84,19 @@ JobLinks::~JobLinks()
     *alive_ = false;
     hangUp();
     boost::system::error_code ignored;
-    acceptor_.close(ignored);
+    acceptor_->close(ignored);
 }
 
 std::uint16_t JobLinks::port() const
 {
-    return acceptor_.local_endpoint().port();
+    return acceptor_->local_endpoint().port();
 }
 
 std::string JobLinks::expect(const std::string& secret, int ranks)
 {
     hangUp();
     std::string fingerprint;
-    const bool leavesHost = !plainAddress(acceptor_.local_endpoint().address()).is_loopback();
+    const bool leavesHost = !plainAddress(acceptor_->local_endpoint().address()).is_loopback();
     tls_ = leavesHost ? makeTlsServer(fingerprint) : nullptr;
     secret_ = secret;
     ranks_ = ranks;
@@ -129,29 +133,8 @@ std::vector<DirectPlace> JobLinks::directPlaces() const
     return places;
 }
 
-asio::awaitable<void> JobLinks::acceptAll()
-{
-    const auto alive = alive_;
-    while (*alive) {
-        boost::system::error_code error;
-        Tcp::socket socket = co_await acceptor_.async_accept(asio::redirect_error(asio::use_awaitable, error));
-        if (!*alive) co_return;
-        if (error) {
-            asio::steady_timer pause(io_, std::chrono::milliseconds(100));
-            co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
-            continue;
-        }
-        socket.set_option(Tcp::no_delay(true), error);
-        noticeLostPeer(socket.native_handle(), silenceLimit_);
-        makeRoom();
-        const auto link = std::make_shared<Link>(std::move(socket));
-        waiting_.push_back(link);
-        asio::co_spawn(io_, serve(link), asio::detached);
-    }
-}
-
 /// Whoever has waited longest leaves where too many wait. A rank that is crowded out tries again.
-void JobLinks::makeRoom()
+void JobLinks::take(Tcp::socket socket)
 {
     std::erase_if(waiting_, [](const std::weak_ptr<Link>& waiting) {
         const auto link = waiting.lock();
@@ -161,16 +144,9 @@ void JobLinks::makeRoom()
         if (const auto link = waiting_.front().lock()) link->close();
         waiting_.pop_front();
     }
-}
-
-asio::awaitable<WireMessage> JobLinks::readMessage(Link& link)
-{
-    ByteVector bytes(kHeaderBytes);
-    co_await link.socket.read(bytes.data(), bytes.size());
-    const MessageHeader header = parseHeader(bytes, Sender::rank);
-    bytes.resize(kHeaderBytes + header.payloadBytes);
-    co_await link.socket.read(bytes.data() + kHeaderBytes, header.payloadBytes);
-    co_return std::make_shared<const ByteVector>(std::move(bytes));
+    const auto link = std::make_shared<Link>(std::move(socket));
+    waiting_.push_back(link);
+    asio::co_spawn(io_, serve(link), asio::detached);
 }
 
 /// What the other end says about itself, once it has shown that it is a rank of the job that is expected.
@@ -217,7 +193,7 @@ asio::awaitable<void> JobLinks::serve(std::shared_ptr<Link> link)
         if (!*alive) co_return;
         admit(link, about);
         while (!link->closed) {
-            const WireMessage message = co_await readMessage(*link);
+            const WireMessage message = co_await link->socket.readMessage(Sender::rank);
             if (!*alive || link->closed) co_return;
             const bool isPong = MessageType((*message)[2]) == MessageType::pong;
             if (!isPong) events_.said(message);
@@ -237,12 +213,9 @@ asio::awaitable<void> JobLinks::pingAll()
 {
     const auto alive = alive_;
     const auto interval = std::chrono::milliseconds(silenceLimit_) / 4;
-    asio::steady_timer pause(io_);
     auto last = SteadyClock::now();
     for (;;) {
-        boost::system::error_code ignored;
-        pause.expires_after(interval);
-        co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        co_await pauseFor(interval);
         if (!*alive) co_return;
         const auto now = SteadyClock::now();
         ping(now, now - last < 2 * interval);

@@ -53,18 +53,16 @@ public:
 
 private:
     struct Link;
-    boost::asio::awaitable<void> acceptAll();
+    void take(boost::asio::ip::tcp::socket socket);
     boost::asio::awaitable<void> serve(std::shared_ptr<Link> link);
-    boost::asio::awaitable<WireMessage> readMessage(Link& link);
     boost::asio::awaitable<Json> greet(std::shared_ptr<Link> link);
-    void makeRoom();
     void admit(const std::shared_ptr<Link>& link, const Json& about);
     boost::asio::awaitable<void> pingAll();
     void ping(SteadyClock::time_point now, bool wasAwake);
     void breakOff(const std::optional<std::string>& why);
 
     boost::asio::io_context& io_;
-    boost::asio::ip::tcp::acceptor acceptor_;
+    std::shared_ptr<boost::asio::ip::tcp::acceptor> acceptor_;
     std::chrono::seconds silenceLimit_;
     Events events_;
     std::vector<std::string> hosts_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/text.h"
+
 namespace aeolic::stream {
 namespace {
 
@@ -47,8 +49,7 @@ std::string lastWords(std::string_view written)
     const std::size_t first = lines.size() - std::min(lines.size(), kMostLines);
     std::string words;
     for (std::size_t i = first; i < lines.size(); ++i) words += (words.empty() ? "" : " ") + std::string(lines[i]);
-    for (char& c : words)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+    words = withoutControls(std::move(words));
     return words.size() <= kMostBytes ? words : words.substr(0, kMostBytes) + " …";
 }
 

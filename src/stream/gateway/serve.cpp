@@ -13,8 +13,6 @@
 #include "aeolic/error.h"
 #include "description/scene_json.h"
 #include "stream/gateway/open_files.h"
-#include "stream/gateway/supervisor.h"
-#include "stream/gateway/web_server.h"
 
 namespace aeolic::stream {
 namespace {
@@ -23,24 +21,19 @@ namespace asio = boost::asio;
 
 JobOptions jobOptions(const ServeOptions& options)
 {
-    JobOptions job;
-    job.ranks = options.ranks;
-    job.silenceLimit = options.silenceLimit;
+    JobOptions job = options.job;
     boost::system::error_code notAnAddress;
     if (!options.launcher.empty() || !options.jobHost.empty()) {
         const auto link = asio::ip::make_address(options.jobHost, notAnAddress);
         const bool all = !notAnAddress && link.is_unspecified();
         job.linkHost = all ? "" : options.jobHost;
     }
-    job.linkPort = options.jobPort;
-    job.direct = options.direct;
-    job.directPorts = options.directPorts;
-    job.directBytes = options.hub.frameBytes / std::uint64_t(std::max(1, options.ranks));
-    const auto address = asio::ip::make_address(options.host, notAnAddress);
-    const bool loopback = notAnAddress ? options.host == "localhost" : address.is_loopback();
-    job.directEverywhere = !options.launcher.empty() || !loopback;
-    if (!options.launcher.empty() || options.ranks > 1)
-        job.words = launcherWords(options.launcher.empty() ? "mpirun -n {ranks}" : options.launcher, options.ranks);
+    job.told.directBytes = options.hub.frameBytes / std::uint64_t(std::max(1, job.ranks));
+    const auto address = asio::ip::make_address(options.web.host, notAnAddress);
+    const bool loopback = notAnAddress ? options.web.host == "localhost" : address.is_loopback();
+    job.told.everywhere = !options.launcher.empty() || !loopback;
+    if (!options.launcher.empty() || job.ranks > 1)
+        job.words = launcherWords(options.launcher.empty() ? "mpirun -n {ranks}" : options.launcher, job.ranks);
     job.words.insert(job.words.end(), {options.program, "render-job"});
     return job;
 }
@@ -103,17 +96,13 @@ void serve(ServeOptions options)
     asio::io_context io(1);  // Sessions end with it, and leave the hub then: the hub outlives it.
     std::unique_ptr<Supervisor> supervisor;
     const Dismissal dismissal{hub};
-    WebServerOptions web;
-    web.host = options.host;
-    web.port = options.port;
+    WebServerOptions web = options.web;
     if (!options.certificate.empty()) web.tls = makeTlsContext(options.certificate, options.key);
-    web.rules = {options.token,
-                 web.tls != nullptr,
-                 "",
-                 [&] { return statusJson(hub, supervisor->pids()); },
-                 {options.host, asio::ip::host_name()},
-                 options.direct};
-    web.mostConnections = provideOpenFiles(options.ranks);
+    web.rules.secure = web.tls != nullptr;
+    web.rules.statusJson = [&] { return statusJson(hub, supervisor->pids()); };
+    web.rules.names = {web.host, asio::ip::host_name()};
+    web.rules.direct = options.job.told.direct;
+    web.mostConnections = provideOpenFiles(options.job.ranks);
     const JobOptions toStart = jobOptions(options);  // Read before the port is opened, because it may be wrong.
     WebServer server(io, std::move(web), hub);
     const auto stop = [&] {
@@ -130,8 +119,8 @@ void serve(ServeOptions options)
         stop();
         signals.clear();  // A second signal ends this process as it would end any other.
     });
-    options.ready(addressText(options.host, server.port(), !options.certificate.empty(),
-                              options.token));  // Whoever knows the address may end the server at once.
+    options.ready(addressText(options.web.host, server.port(), !options.certificate.empty(),
+                              options.web.rules.token));  // Whoever knows the address may end the server at once.
     io.run();
     supervisor->rethrowFailure();
     if (hub.sceneError()) throw InputError(*hub.sceneError());

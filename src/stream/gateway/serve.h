@@ -4,27 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "stream/gateway/hub/hub.h"
-#include "stream/link/lost_peer.h"
-#include "stream/listen.h"
+#include "stream/gateway/supervisor.h"
+#include "stream/gateway/web_server.h"
 
 namespace aeolic::stream {
 
+/// The job's words and hosts, and the web server's rules but the token, are made from the rest.
 struct ServeOptions {
     Hub::Options hub;
-    std::string host = "127.0.0.1";
-    std::uint16_t port = 8080;
-    std::string token;  ///< Empty: nobody is asked for one.
-    std::string certificate, key;
-    int ranks = 1;
-    std::string launcher;                                   ///< Empty: mpirun for several ranks, no launcher for one.
-    std::string jobHost;                                    ///< Where ranks connect to. Empty: with a launcher all
-                                                            ///< addresses of this host, else loopback.
-    std::uint16_t jobPort = 0;                              ///< 0: any that is free.
-    bool direct = false;                                    ///< Ranks send their tiles to viewers themselves.
-    PortRange directPorts;                                  ///< Where ranks listen for viewers.
-    std::chrono::seconds silenceLimit = kSilenceLimit;      ///< A rank that says nothing for longer ends the job.
-    std::string program;                                    ///< The executable with the render job.
+    WebServerOptions web;
+    JobOptions job;
+    std::string certificate, key;  ///< Empty: no TLS.
+    std::string launcher;          ///< Empty: mpirun for several ranks, no launcher for one.
+    std::string jobHost;  ///< Where ranks connect to. Empty: with a launcher all addresses of this host, else loopback.
+    std::string program;  ///< The executable with the render job.
     std::function<void(const std::string& address)> ready;  ///< Called once, when viewers may come.
 };
 

@@ -10,7 +10,7 @@
 
 #include "aeolic/error.h"
 #include "stream/gateway/last_words.h"
-#include "stream/gateway_address.h"
+#include "stream/link/accept.h"
 #include "stream/token.h"
 
 namespace aeolic::stream {
@@ -32,7 +32,7 @@ Supervisor::Supervisor(asio::io_context& io, JobOptions options, Hub& hub, std::
     : io_(io),
       options_(std::move(options)),
       hub_(hub),
-      links_(io, options_.linkHost, options_.linkPort, options_.silenceLimit,
+      links_(io, options_.linkHost, options_.linkPort, std::chrono::seconds(options_.told.silenceLimitS),
              {[this] { joined_ = true, wake_.cancel(); }, [this](const WireMessage& message) { take(message); },
               [this](const std::optional<std::string>& why) {
                   broken_ = true;
@@ -72,8 +72,7 @@ asio::awaitable<bool> Supervisor::processEndsWithin(milliseconds time)
 {
     for (auto left = time; left > milliseconds(0); left -= milliseconds(20)) {
         if (process_->ended()) co_return true;
-        asio::steady_timer pause(io_, milliseconds(20));
-        co_await pause.async_wait(asio::use_awaitable);
+        co_await pauseFor(milliseconds(20));
     }
     co_return process_->ended().has_value();
 }
@@ -126,15 +125,14 @@ asio::awaitable<void> Supervisor::runOnce()
     hub_.jobStarting();
     joined_ = broken_ = false;
     whyBroken_.reset();
-    const std::string secret = makeToken();
-    const std::string fingerprint = links_.expect(secret, options_.ranks);
+    GatewayAddress address = options_.told;
+    address.hosts = links_.hosts();
+    address.port = links_.port();
+    address.secret = makeToken();
+    address.fingerprint = links_.expect(address.secret, options_.ranks);
     std::string notStarted;
     try {
-        process_.emplace(options_.words,
-                         addressToJson({links_.hosts(), links_.port(), secret, fingerprint, options_.direct,
-                                        options_.directEverywhere, options_.directPorts,
-                                        int(options_.silenceLimit.count()), options_.directBytes}) +
-                             "\n");
+        process_.emplace(options_.words, addressToJson(address) + "\n");
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {  // Too many processes or files for now.

@@ -11,21 +11,17 @@
 #include "stream/gateway/job_links.h"
 #include "stream/gateway/job_process.h"
 #include "stream/gateway/restarts.h"
-#include "stream/link/lost_peer.h"
-#include "stream/listen.h"
+#include "stream/gateway_address.h"
 
 namespace aeolic::stream {
 
 struct JobOptions {
     std::vector<std::string> words;  ///< The command that starts the job.
     int ranks = 1;
-    std::string linkHost = "127.0.0.1";             ///< Where the ranks connect to; empty: all addresses of this host.
-    std::uint16_t linkPort = 0;                     ///< 0: any that is free.
-    bool direct = false;                            ///< Ranks listen for viewers.
-    bool directEverywhere = false;                  ///< Ranks listen for viewers of other hosts, too.
-    PortRange directPorts;                          ///< Where ranks listen for viewers.
-    std::uint64_t directBytes = std::uint64_t(-1);  ///< What tiles that wait for viewers may take in each rank.
-    std::chrono::seconds silenceLimit = kSilenceLimit;
+    std::string linkHost = "127.0.0.1";  ///< Where the ranks connect to; empty: all addresses of this host.
+    std::uint16_t linkPort = 0;          ///< 0: any that is free.
+    /// What ranks are told. Each start fills in where this gateway is, and how both know each other.
+    GatewayAddress told;
 };
 
 /// Keeps the render job running: starts it, waits for its ranks, and when it dies starts it again, as Restarts says.

@@ -31,7 +31,7 @@ protected:
         job.words = {
             "sh", "-c",
             "read line; f='" + file_.string() + "'; echo \"$line\" >\"$f\"; while [ -e \"$f\" ]; do sleep 0.05; done"};
-        job.silenceLimit = 2s;
+        job.told.silenceLimitS = 2;
         std::optional<Supervisor> here;
         here.emplace(io, job, hub, [&] {
             hopeless_ = true;
@@ -67,28 +67,23 @@ protected:
 
     void TearDown() override { std::filesystem::remove(file_); }
 
-    static WireMessage read(LinkSocket& socket)
-    {
-        ByteVector bytes(kHeaderBytes);
-        socket.readNow(bytes.data(), bytes.size());
-        const MessageHeader header = parseHeader(bytes, Sender::gatewayToRank);
-        bytes.resize(kHeaderBytes + header.payloadBytes);
-        socket.readNow(bytes.data() + kHeaderBytes, header.payloadBytes);
-        return std::make_shared<const ByteVector>(std::move(bytes));
-    }
-
     /// Until the gateway hangs up or asks to leave.
-    static void readAll(LinkSocket& socket, bool answer)
+    void readAll(LinkSocket& socket, bool answer)
     {
-        try {
-            for (;;) {
-                const WireMessage message = read(socket);
-                if (MessageType((*message)[2]) == MessageType::quit) return;
-                if (answer && MessageType((*message)[2]) == MessageType::ping)
-                    socket.writeNow(*emptyMessage(MessageType::pong));
-            }
-        } catch (const boost::system::system_error&) {  // It has hung up.
-        }
+        asio::co_spawn(
+            ranks_,
+            [&]() -> asio::awaitable<void> {
+                for (;;) {
+                    const WireMessage message = co_await socket.readMessage(Sender::gatewayToRank);
+                    if (MessageType((*message)[2]) == MessageType::quit) co_return;
+                    const WireMessage pong = emptyMessage(MessageType::pong);
+                    const bool isPing = MessageType((*message)[2]) == MessageType::ping;
+                    if (answer && isPing) co_await socket.write(*pong);
+                }
+            },
+            asio::detached);  // It throws when the gateway has hung up.
+        ranks_.restart();
+        ranks_.run();
     }
 
     void join(LinkSocket& socket)
@@ -120,7 +115,7 @@ protected:
 
 TEST_F(SupervisorTest, ASceneThatCannotBeSentEndsTheServerWithItsLine)
 {
-    run("caf\xe9.vtp", [](LinkSocket& socket) { readAll(socket, true); });
+    run("caf\xe9.vtp", [&](LinkSocket& socket) { readAll(socket, true); });
     EXPECT_TRUE(hopeless_);
     EXPECT_NE(failure_.find("UTF-8"), std::string::npos) << failure_;
 }
@@ -128,7 +123,7 @@ TEST_F(SupervisorTest, ASceneThatCannotBeSentEndsTheServerWithItsLine)
 TEST_F(SupervisorTest, ARankThatAnswersPingsIsLeftAlone)
 {
     until_ = [&](const Hub& hub) { return hub.status().restarts > 0 || looks_ > 250; };
-    run("teapot", [](LinkSocket& socket) { readAll(socket, true); });
+    run("teapot", [&](LinkSocket& socket) { readAll(socket, true); });
     EXPECT_GT(looks_, 250) << "it was restarted";
 }
 
@@ -136,7 +131,7 @@ TEST_F(SupervisorTest, ARankThatReadsButDoesNotAnswerIsNoticed)
 {
     const auto start = std::chrono::steady_clock::now();
     until_ = [&](const Hub& hub) { return hub.status().restarts > 0; };
-    run("teapot", [](LinkSocket& socket) { readAll(socket, false); });
+    run("teapot", [&](LinkSocket& socket) { readAll(socket, false); });
     EXPECT_GT(std::chrono::steady_clock::now() - start, 2s);
     EXPECT_LT(std::chrono::steady_clock::now() - start, 2s + 5s);
 }

@@ -4,7 +4,8 @@
 #include <boost/beast/websocket/error.hpp>
 #include <cstdio>
 
-#include "stream/link/lost_peer.h"
+#include "stream/link/accept.h"
+#include "stream/listen.h"
 
 namespace aeolic::stream {
 namespace {
@@ -78,14 +79,12 @@ asio::awaitable<void> ViewerSession::readAll()
 asio::awaitable<void> ViewerSession::waitForTurn()
 {
     const auto wait = common_->nextTurn(SteadyClock::now());
-    if (wait <= std::chrono::milliseconds(1)) co_return;  // Not worth a timer.
-    asio::steady_timer pause(connection_.executor(), wait);
-    co_await pause.async_wait(asio::use_awaitable);
+    if (wait > std::chrono::milliseconds(1)) co_await pauseFor(wait);  // Less is not worth a timer.
 }
 
 void ViewerSession::take(ByteView bytes)
 {
-    if (!rate_.allows(SteadyClock::now())) return close(Goodbye::policyError, "too many requests");
+    if (!rate_.take(SteadyClock::now())) return close(Goodbye::policyError, "too many requests");
     try {
         if (!connection_.gotBinary()) throw ProtocolError("a text message");
         const MessageView message = parseMessage(bytes, Sender::viewer);
@@ -132,11 +131,8 @@ asio::awaitable<void> ViewerSession::writeAll(std::shared_ptr<ViewerSession> sel
 /// they may send, and so be heard, while they read nothing.
 asio::awaitable<void> ViewerSession::watchWrites(std::shared_ptr<ViewerSession> self)
 {
-    asio::steady_timer pause(self->connection_.executor());
     while (!self->writerEnded_) {
-        boost::system::error_code ignored;
-        pause.expires_after(kLookAgain);
-        co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        co_await pauseFor(kLookAgain);
         const auto now = SteadyClock::now();
         const bool stuck = self->writing_ && now - std::max(*self->writing_, self->connection_.wroteAt()) > kWriteLimit;
         const bool stays = self->closing_ && now - self->closing_->since > kGoodbyeTime;

@@ -5,7 +5,6 @@
 
 #include "stream/gateway/hub/common_rate.h"
 #include "stream/gateway/hub/hub.h"
-#include "stream/gateway/hub/request_rate.h"
 #include "stream/outgoing.h"
 #include "stream/web_connection.h"
 
@@ -49,7 +48,9 @@ private:
     bool readerEnded_ = false, writerEnded_ = false;
     std::optional<SteadyClock::time_point> writing_;  ///< Since when a message is being written.
     std::optional<Seat> seat_;                        ///< From the viewer's Hello on.
-    RequestRate rate_;
+    /// For messages: 120 views, as many acknowledgements, and some more. A network may hold messages up and let them go
+    /// at once.
+    Allowance rate_{600, 300};
     std::shared_ptr<CommonRate> common_;
 };
 

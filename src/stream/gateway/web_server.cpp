@@ -2,14 +2,14 @@
 
 #include <sys/socket.h>
 
-#include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/ssl/context.hpp>
 #include <list>
 
 #include "aeolic/error.h"
 #include "stream/gateway/viewer_session.h"
 #include "stream/gateway/wrong_tokens.h"
-#include "stream/link/lost_peer.h"
+#include "stream/link/accept.h"
+#include "stream/listen.h"
 
 namespace aeolic::stream {
 namespace {
@@ -18,6 +18,19 @@ namespace http = boost::beast::http;
 
 constexpr auto kRequestTime = std::chrono::seconds(10);  // For one whole request, however slowly it comes.
 constexpr std::uint32_t kMostHeaderBytes = 8 * 1024, kMostBodyBytes = 1024;
+
+Tcp::acceptor listenForViewers(asio::io_context& io, const std::string& host, std::uint16_t port)
+{
+    boost::system::error_code unknown;
+    Tcp::resolver(io).resolve(host, "0", Tcp::resolver::passive, unknown);
+    if (unknown) throw InputError("--host", "'" + host + "' (" + unknown.message() + ")", "an address of this host");
+    try {
+        return listenOn(io, host, {port, port});
+    } catch (const boost::system::system_error& error) {
+        throw InputError("--port", std::to_string(port) + " on " + host + " (" + error.code().message() + ")",
+                         "a free port of an address of this host");
+    }
+}
 
 }  // namespace
 
@@ -34,59 +47,27 @@ std::shared_ptr<asio::ssl::context> makeTlsContext(const std::string& certificat
     return context;
 }
 
-struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
+struct WebServer::State {
     asio::io_context& io;
-    Tcp::acceptor acceptor;
     WebServerOptions options;
+    std::shared_ptr<Tcp::acceptor> acceptor =
+        std::make_shared<Tcp::acceptor>(listenForViewers(io, options.host, options.port));
     Hub& hub;
     int connections = 0;
-    bool stopped = false;
     std::list<std::weak_ptr<ViewerPort>> viewers;
     WrongTokens wrongTokens;
     const std::shared_ptr<CommonRate> rate = std::make_shared<CommonRate>();
 
     State(asio::io_context& theIo, WebServerOptions theOptions, Hub& theHub)
-        : io(theIo), acceptor(theIo), options(std::move(theOptions)), hub(theHub)
+        : io(theIo), options(std::move(theOptions)), hub(theHub)
     {
-        boost::system::error_code error;
-        Tcp::resolver resolver(io);
-        const auto found = resolver.resolve(options.host, std::to_string(options.port), Tcp::resolver::passive, error);
-        if (error)
-            throw InputError("--host", "'" + options.host + "' (" + error.message() + ")", "an address of this host");
-        const Tcp::endpoint endpoint = *found.begin();
-        acceptor.open(endpoint.protocol());
-        if (endpoint.address() == asio::ip::address_v6::any()) acceptor.set_option(asio::ip::v6_only(false));
-        acceptor.set_option(Tcp::acceptor::reuse_address(true));
-        acceptor.bind(endpoint, error);
-        if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
-        if (error)
-            throw InputError("--port",
-                             std::to_string(options.port) + " on " + options.host + " (" + error.message() + ")",
-                             "a free port of an address of this host");
         // Browsers share cookies among the ports of a host: two servers would overwrite each other's.
-        options.rules.cookieName = "aeolic-" + std::to_string(acceptor.local_endpoint().port());
-    }
-
-    static asio::awaitable<void> acceptAll(std::shared_ptr<State> self)
-    {
-        while (!self->stopped) {
-            boost::system::error_code error;
-            Tcp::socket socket = co_await self->acceptor.async_accept(asio::redirect_error(asio::use_awaitable, error));
-            if (self->stopped) break;
-            if (error) {  // Perhaps too many files are open: waits instead of spinning.
-                asio::steady_timer pause(self->io, std::chrono::milliseconds(100));
-                co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
-                continue;
-            }
-            if (self->connections >= self->options.mostConnections) continue;
-            socket.set_option(Tcp::no_delay(true), error);
-            noticeLostPeer(socket.native_handle(), kWriteLimit);
-            asio::co_spawn(self->io, serve(self, std::move(socket)), asio::detached);
-        }
+        options.rules.cookieName = "aeolic-" + std::to_string(acceptor->local_endpoint().port());
     }
 
     static asio::awaitable<void> serve(std::shared_ptr<State> self, Tcp::socket socket)
     {
+        if (self->connections >= self->options.mostConnections) co_return;
         ++self->connections;
         try {
             const asio::ip::address from = socket.remote_endpoint().address();
@@ -133,8 +114,7 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
         const auto wait = wrongTokens.waitFor(from, now);
         if (!bringsToken(request, options.rules.token)) wrongTokens.add(from, now);
         if (wait.count() == 0) co_return;
-        asio::steady_timer pause(io, wait);
-        co_await pause.async_wait(asio::use_awaitable);
+        co_await pauseFor(wait);
     }
 
     /// The status that refuses a WebSocket; ok where it may be opened.
@@ -150,7 +130,10 @@ struct WebServer::State : std::enable_shared_from_this<WebServer::State> {
 WebServer::WebServer(asio::io_context& io, WebServerOptions options, Hub& hub)
     : state_(std::make_shared<State>(io, std::move(options), hub))
 {
-    asio::co_spawn(io, State::acceptAll(state_), asio::detached);
+    const auto take = [state = state_](Tcp::socket socket) {
+        asio::co_spawn(state->io, State::serve(state, std::move(socket)), asio::detached);
+    };
+    asio::co_spawn(io, acceptAll(state_->acceptor, kWriteLimit, take), asio::detached);
 }
 
 WebServer::~WebServer()
@@ -160,15 +143,15 @@ WebServer::~WebServer()
 
 std::uint16_t WebServer::port() const
 {
-    return state_->acceptor.local_endpoint().port();
+    return state_->acceptor->local_endpoint().port();
 }
 
 void WebServer::stop()
 {
-    if (std::exchange(state_->stopped, true)) return;
+    if (!state_->acceptor->is_open()) return;
     boost::system::error_code ignored;
-    ::shutdown(state_->acceptor.native_handle(), SHUT_RDWR);  // A process that was forked may hold the socket, too.
-    state_->acceptor.close(ignored);
+    ::shutdown(state_->acceptor->native_handle(), SHUT_RDWR);  // A process that was forked may hold the socket, too.
+    state_->acceptor->close(ignored);
     for (const auto& viewer : state_->viewers)
         if (const auto port = viewer.lock()) port->close(Goodbye::goingAway, "the server stops");
 }

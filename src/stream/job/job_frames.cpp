@@ -2,13 +2,17 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <span>
+
 #include "aeolic/error.h"
+#include "base/parallel.h"
 #include "base/timing.h"
 #include "cluster/comm/hosts.h"
 #include "cluster/comm/together.h"
 #include "render/backend.h"
 #include "stream/job/scene_report.h"
-#include "stream/job/stripe_sender.h"
 
 namespace aeolic::stream {
 namespace {
@@ -16,6 +20,56 @@ namespace {
 std::string textOf(const Json& json)
 {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Rows of a band: whole MCUs of any JPEG, enough bands for all cores, and few enough that each compresses well.
+constexpr int kBandRows = 64;
+
+// A tile has a limit of bytes; a picture has none.
+int bandRows(const Picture& rows)
+{
+    const std::size_t rowBytes = std::size_t(rows.width) * std::size_t(rows.channels);
+    return int(std::clamp<std::size_t>((std::size_t{32} << 20) / rowBytes, 1, kBandRows));
+}
+
+WireMessage tileMessage(const DrawnFrame& picture, const DrawRequest& draw, int rank, int begin, int end)
+{
+    const std::size_t rowBytes = std::size_t(picture.width) * std::size_t(picture.channels);
+    ByteVector bytes = beginMessage(MessageType::tile, kTileHeaderBytes + std::size_t(end - begin) * rowBytes / 4);
+    TileHeader header{draw.frame,
+                      std::uint32_t(picture.firstRow + begin),
+                      std::uint32_t(end - begin),
+                      std::uint32_t(picture.width),
+                      std::uint16_t(rank),
+                      std::uint8_t(draw.codec),
+                      std::uint8_t(picture.channels),
+                      0};
+    putTileHeader(bytes, header);
+    encode(draw.codec,
+           {picture.pixels.data() + std::size_t(begin) * rowBytes, picture.width, end - begin, picture.channels},
+           draw.quality, bytes);
+    const std::uint32_t crc = crc32(ByteView(bytes).subspan(kHeaderBytes + kTileHeaderBytes));
+    for (std::size_t i = 0; i < 4; ++i) bytes[kHeaderBytes + kTileHeaderBytes - 4 + i] = std::uint8_t(crc >> (8 * i));
+    return endMessage(std::move(bytes));
+}
+
+/// Local. Encodes a rank's finished rows in bands, on all threads of the current arena. Each band is handed to `send`
+/// as a Tile message as soon as it is ready, in any order; several threads may call `send` at once. Returns the bytes
+/// of all messages together.
+std::size_t sendStripe(const DrawnFrame& stripe, const DrawRequest& draw, int rank,
+                       const std::function<void(WireMessage)>& send)
+{
+    const int rows = stripe.height;
+    if (rows == 0) return 0;
+    const int band = bandRows(stripe);
+    std::atomic<std::size_t> bytes{0};
+    parallelFor(std::size_t((rows + band - 1) / band), [&](std::size_t i) {
+        const int begin = int(i) * band;
+        WireMessage message = tileMessage(stripe, draw, rank, begin, std::min(begin + band, rows));
+        bytes += message->size();
+        send(std::move(message));
+    });
+    return bytes;
 }
 
 }  // namespace
@@ -40,6 +94,14 @@ Json aboutThisRank(const Communicator& ranks, const TileServer* tiles)
             {"host", placeOfThisProcess().host},
             {"pid", getpid()},
             {"direct", tiles ? Json(tiles->port()) : Json()}};
+}
+
+GatewayAddress addressForAll(Communicator& ranks, const std::string& line)
+{
+    const auto text = std::as_bytes(std::span(line));
+    Bytes bytes(text.begin(), text.end());
+    ranks.broadcast(bytes);
+    return addressFromJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 JobFrames::JobFrames(std::shared_ptr<Communicator> ranks, JobLink& link, TileServer* tiles)

@@ -58,6 +58,9 @@ private:
 /// `asked` has the renderer's own surfaces.
 void show(const SceneDescription& asked, Renderer& renderer);
 
+/// Collective. Where the gateway is: what addressToJson() has written for rank 0, which tells the others.
+GatewayAddress addressForAll(Communicator& ranks, const std::string& line);
+
 /// What the gateway has to know about this rank when it joins.
 Json aboutThisRank(const Communicator& ranks, const TileServer* tiles);
 

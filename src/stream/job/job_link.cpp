@@ -1,10 +1,10 @@
 #include "stream/job/job_link.h"
 
 #include <boost/asio/connect.hpp>
+#include <boost/asio/post.hpp>
 
+#include "stream/link/accept.h"
 #include "stream/link/link_greeting.h"
-#include "stream/link/lost_peer.h"
-#include "stream/waitable.h"
 
 namespace aeolic::stream {
 namespace {
@@ -17,68 +17,16 @@ constexpr int kMostRounds = 6;  // Strangers may crowd the port for a moment.
 
 }  // namespace
 
-struct JobLink::Socket {
-    asio::io_context io{1};
-    LinkSocket link{Tcp::socket(io)};
-
-    Socket(const GatewayAddress& address, const Json& about)
-    {
-        const TlsSide tls = address.fingerprint.empty() ? nullptr : makeTlsClient(address.fingerprint);
-        std::string why = "no host to try";
-        for (int round = 0; round < kMostRounds; ++round) {
-            std::this_thread::sleep_for(round * std::chrono::milliseconds(200));
-            for (const std::string& host : address.hosts)
-                if (hasMet(host, address, tls, about, why)) return;
-        }
-        throw std::runtime_error("the gateway cannot be reached: " + why);
-    }
-
-    /// Whether the gateway of this job is there; `why` not, if it is not.
-    bool hasMet(const std::string& host, const GatewayAddress& address, const TlsSide& tls, const Json& about,
-                std::string& why)
-    {
-        bool ended = false;
-        std::exception_ptr failure;
-        try {
-            const auto places = Tcp::resolver(io).resolve(host, std::to_string(address.port));
-            link = LinkSocket(Tcp::socket(io));
-            asio::co_spawn(io, meet(places, tls, address.secret, about),
-                           [&](const std::exception_ptr& error) { ended = true, failure = error; });
-            io.restart();
-            io.run_for(kMeetingTime);
-            if (!ended) {
-                link.close();
-                io.restart();
-                io.run();
-                throw std::runtime_error("no answer");
-            }
-            if (failure) std::rethrow_exception(failure);
-            noticeLostPeer(link.tcp().native_handle(), std::chrono::seconds(address.silenceLimitS));
-            return true;
-        } catch (const std::exception& error) {
-            why = host + ": " + error.what();
-            return false;
-        }
-    }
-
-    asio::awaitable<void> meet(Tcp::resolver::results_type places, TlsSide tls, std::string secret, Json about)
-    {
-        co_await asio::async_connect(link.tcp(), places, asio::use_awaitable);
-        link.tcp().set_option(Tcp::no_delay(true));
-        if (tls) co_await link.startTls(tls, false);
-        co_await greetGateway(link, secret, about);
-    }
-};
-
 JobLink::JobLink(const GatewayAddress& address, const Json& about, std::function<void()> onEnd,
                  std::function<void(const MessageView&)> onInvite)
-    : socket_(std::make_unique<Socket>(address, about)),
-      onEnd_(std::move(onEnd)),
-      onInvite_(std::move(onInvite)),
-      silenceLimit_(address.silenceLimitS)
+    : onEnd_(std::move(onEnd)), onInvite_(std::move(onInvite)), silenceLimit_(address.silenceLimitS)
 {
-    reader_ = std::thread([this] { readAll(); });
-    writer_ = std::thread([this] { writeAll(); });
+    meet(address, about);
+    heard_ = Clock::now();
+    asio::co_spawn(io_, readAll(), asio::detached);
+    asio::co_spawn(io_, writeAll(), asio::detached);
+    io_.restart();
+    thread_ = std::thread([this] { io_.run(); });
 }
 
 JobLink::~JobLink()
@@ -86,46 +34,96 @@ JobLink::~JobLink()
     close();
 }
 
+void JobLink::meet(const GatewayAddress& address, const Json& about)
+{
+    const TlsSide tls = address.fingerprint.empty() ? nullptr : makeTlsClient(address.fingerprint);
+    std::string why = "no host to try";
+    for (int round = 0; round < kMostRounds; ++round) {
+        std::this_thread::sleep_for(round * std::chrono::milliseconds(200));
+        for (const std::string& host : address.hosts) {
+            try {
+                return meetAt(host, address, tls, about);
+            } catch (const std::exception& error) {
+                why = host + ": " + error.what();
+            }
+        }
+    }
+    throw std::runtime_error("the gateway cannot be reached: " + why);
+}
+
+/// Throws where the gateway of this job is not there.
+void JobLink::meetAt(const std::string& host, const GatewayAddress& address, const TlsSide& tls, const Json& about)
+{
+    bool ended = false;
+    std::exception_ptr failure;
+    const auto places = Tcp::resolver(io_).resolve(host, std::to_string(address.port));
+    link_ = LinkSocket(Tcp::socket(io_));
+    asio::co_spawn(io_, greet(places, tls, address.secret, about),
+                   [&](const std::exception_ptr& error) { ended = true, failure = error; });
+    io_.restart();
+    io_.run_for(kMeetingTime);
+    if (!ended) {
+        link_.close();
+        io_.restart();
+        io_.run();
+        throw std::runtime_error("no answer");
+    }
+    if (failure) std::rethrow_exception(failure);
+    noticeLostPeer(link_.tcp().native_handle(), silenceLimit_);
+}
+
+asio::awaitable<void> JobLink::greet(Tcp::resolver::results_type places, TlsSide tls, std::string secret, Json about)
+{
+    co_await asio::async_connect(link_.tcp(), places, asio::use_awaitable);
+    link_.tcp().set_option(Tcp::no_delay(true));
+    if (tls) co_await link_.startTls(tls, false);
+    co_await greetGateway(link_, secret, about);
+}
+
 void JobLink::close()
 {
     {
-        const std::lock_guard lock(mutex_);
-        if (closing_) return;
-        closing_ = true;
+        std::unique_lock lock(mutex_);
+        if (std::exchange(closing_, true) || !thread_.joinable()) return;
+        asio::post(io_, [this] { wake_.cancel(); });
+        changed_.wait(lock, [&] { return writerEnded_; });
     }
-    changed_.notify_all();
-    writer_.join();
-    boost::system::error_code ignored;
-    socket_->link.tcp().shutdown(Tcp::socket::shutdown_both, ignored);
-    reader_.join();
+    io_.stop();
+    thread_.join();
+    link_.close();
 }
 
-void JobLink::readAll()
+asio::awaitable<void> JobLink::readAll()
 {
     try {
-        for (;;) {
-            ByteVector bytes(kHeaderBytes);
-            socket_->link.readNow(bytes.data(), bytes.size());
-            const MessageHeader header = parseHeader(bytes, Sender::gatewayToRank);
-            bytes.resize(kHeaderBytes + header.payloadBytes);
-            socket_->link.readNow(bytes.data() + kHeaderBytes, header.payloadBytes);
-            if (header.type == MessageType::invite) {
-                if (onInvite_) onInvite_({header.type, ByteView(bytes).subspan(kHeaderBytes)});
-                continue;
-            }
-            const std::lock_guard lock(mutex_);
-            heard_ = Clock::now();
-            if (header.type == MessageType::ping) {
-                answerPing();
-                continue;
-            }
-            received_.push_back(std::make_shared<const ByteVector>(std::move(bytes)));
-            changed_.notify_all();
-            if (header.type == MessageType::quit) return;  // The connection ends now, as was asked for.
+        for (bool goesOn = true; goesOn;) {
+            WireMessage message = co_await link_.readMessage(Sender::gatewayToRank);
+            goesOn = take(std::move(message));
         }
     } catch (const std::exception&) {
         end();
     }
+}
+
+/// False where the gateway ends the connection now, as it was asked to.
+bool JobLink::take(WireMessage message)
+{
+    const auto type = MessageType((*message)[2]);
+    if (type == MessageType::invite) {
+        if (onInvite_) onInvite_({type, ByteView(*message).subspan(kHeaderBytes)});
+        return true;
+    }
+    heard_ = Clock::now();
+    const std::lock_guard lock(mutex_);
+    if (type == MessageType::ping) {
+        // Tells the gateway that this process is alive, whatever its other threads do. Does not wait for room in the
+        // queue, because this thread must go on.
+        if (!std::exchange(pongQueued_, true)) queue(emptyMessage(MessageType::pong));
+        return true;
+    }
+    received_.push_back(std::move(message));
+    changed_.notify_all();
+    return type != MessageType::quit;
 }
 
 /// Nothing comes any more, and nothing that is sent arrives.
@@ -139,52 +137,59 @@ void JobLink::end()
     onEnd_();
 }
 
-void JobLink::writeAll()
+asio::awaitable<void> JobLink::writeAll()
 {
+    co_await writeQueue();
+    const std::lock_guard lock(mutex_);
+    writerEnded_ = true;
+    changed_.notify_all();
+}
+
+/// Ends with close(), once everything is sent, and where the gateway is silent for too long. Time in which this process
+/// itself was stopped does not count as silence.
+asio::awaitable<void> JobLink::writeQueue()
+{
+    const auto interval = std::chrono::milliseconds(silenceLimit_) / 4;
     for (;;) {
-        std::unique_lock lock(mutex_);
-        if (!waitForWork(lock)) {
-            lock.unlock();
-            return end();
+        WireMessage message;
+        {
+            const std::lock_guard lock(mutex_);
+            if (!toSend_.empty())
+                message = toSend_.front();
+            else if (closing_)
+                break;
         }
-        if (toSend_.empty()) return;
-        const WireMessage message = toSend_.front();
-        lock.unlock();
+        if (!message) {
+            const auto since = Clock::now();
+            boost::system::error_code woken;
+            wake_.expires_after(interval);
+            co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+            const auto now = Clock::now();
+            if (now - since > 2 * interval) heard_ = now;
+            if (now - heard_ > silenceLimit_) {
+                end();
+                break;
+            }
+            continue;
+        }
         try {
-            socket_->link.writeNow(*message);
+            co_await link_.write(*message);
         } catch (const std::exception&) {  // The reading side ends, too, and tells it.
         }
-        lock.lock();
+        if (MessageType((*message)[2]) == MessageType::pong) pongQueued_ = false;
+        const std::lock_guard lock(mutex_);
         toSend_.pop_front();
         queuedBytes_ -= message->size();
-        if (MessageType((*message)[2]) == MessageType::pong) pongQueued_ = false;
         changed_.notify_all();
     }
 }
 
-/// Tells the gateway that this process is alive, whatever its other threads do. Does not wait for room in the queue,
-/// because the thread that reads must go on. The mutex is held.
-void JobLink::answerPing()
+/// The mutex is held.
+void JobLink::queue(WireMessage message)
 {
-    if (std::exchange(pongQueued_, true)) return;
-    toSend_.push_back(emptyMessage(MessageType::pong));
-    queuedBytes_ += toSend_.back()->size();
-    changed_.notify_all();
-}
-
-/// Waits for a message to send, or for close(). False where the gateway is silent for too long. Time in which this
-/// process itself was stopped does not count as silence.
-bool JobLink::waitForWork(std::unique_lock<std::mutex>& lock)
-{
-    const auto interval = std::chrono::milliseconds(silenceLimit_) / 4;
-    const auto ready = [&] { return closing_ || !toSend_.empty(); };
-    for (auto last = Clock::now(); !changed_.wait_for(lock, interval, ready);) {
-        const auto now = Clock::now();
-        if (now - last > 2 * interval) heard_ = now;
-        if (now - heard_ > silenceLimit_) return false;
-        last = now;
-    }
-    return true;
+    queuedBytes_ += message->size();
+    toSend_.push_back(std::move(message));
+    asio::post(io_, [this] { wake_.cancel(); });
 }
 
 WireMessage JobLink::receive()
@@ -221,10 +226,7 @@ void JobLink::send(WireMessage message)
 {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return queuedBytes_ < kMostQueuedBytes || ended_; });
-    if (ended_) return;
-    queuedBytes_ += message->size();
-    toSend_.push_back(std::move(message));
-    changed_.notify_all();
+    if (!ended_) queue(std::move(message));
 }
 
 }  // namespace aeolic::stream

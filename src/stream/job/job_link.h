@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "stream/gateway_address.h"
-#include "stream/message.h"
+#include "stream/link/link_socket.h"
 #include "stream/requests.h"
 
 namespace aeolic::stream {
@@ -40,24 +40,34 @@ public:
     void close();
 
 private:
-    struct Socket;
-    void readAll();
-    void writeAll();
-    void answerPing();
-    bool waitForWork(std::unique_lock<std::mutex>& lock);
+    void meet(const GatewayAddress& address, const Json& about);
+    void meetAt(const std::string& host, const GatewayAddress& address, const TlsSide& tls, const Json& about);
+    asio::awaitable<void> greet(Tcp::resolver::results_type places, TlsSide tls, std::string secret, Json about);
+    asio::awaitable<void> readAll();
+    bool take(WireMessage message);
+    asio::awaitable<void> writeAll();
+    asio::awaitable<void> writeQueue();
+    void queue(WireMessage message);
     void end();
 
-    std::unique_ptr<Socket> socket_;
     std::function<void()> onEnd_;
     std::function<void(const MessageView&)> onInvite_;
-    std::mutex mutex_;
+    const std::chrono::seconds silenceLimit_;
+
+    // Of the link's thread, once it runs.
+    asio::io_context io_{1};
+    LinkSocket link_{Tcp::socket(io_)};
+    asio::steady_timer wake_{io_};  ///< Cancelled when there is something to write.
+    std::chrono::steady_clock::time_point heard_;
+    bool pongQueued_ = false;
+
+    std::mutex mutex_;  ///< For what follows.
     std::condition_variable changed_;
     std::deque<WireMessage> received_, toSend_;
     std::size_t queuedBytes_ = 0;
-    bool closing_ = false, ended_ = false, pongQueued_ = false;
-    const std::chrono::seconds silenceLimit_;
-    std::chrono::steady_clock::time_point heard_ = std::chrono::steady_clock::now();
-    std::thread reader_, writer_;
+    bool closing_ = false, ended_ = false, writerEnded_ = false;
+
+    std::thread thread_;
 };
 
 }  // namespace aeolic::stream

@@ -16,26 +16,12 @@
 namespace aeolic::stream {
 namespace {
 
-/// Collective. Rank 0 reads the address on its standard input and tells the others.
-GatewayAddress gatewayAddress(Communicator& ranks, std::istream& line)
-{
-    Bytes bytes;
-    if (ranks.isRoot()) {
-        std::string text;
-        std::getline(line, text);
-        const auto all = std::as_bytes(std::span(text));
-        bytes.assign(all.begin(), all.end());
-    }
-    ranks.broadcast(bytes, 0);
-    return addressFromJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
 class RenderJob {
 public:
     RenderJob(std::shared_ptr<Communicator> ranks, const GatewayAddress& address)
         : ranks_(std::move(ranks)),
           tiles_(address.direct ? std::make_unique<TileServer>(address.everywhere, address.directPorts,
-                                                               TileServer::Limits{.bytes = address.directBytes})
+                                                               TileLimits{.bytes = address.directBytes})
                                 : nullptr),
           // Other ranks may be waiting for this one, so there is no way to leave together.
           link_(
@@ -135,7 +121,9 @@ private:
 
 void runRenderJob(const std::shared_ptr<Communicator>& ranks, std::istream& addressLine)
 {
-    RenderJob(ranks, gatewayAddress(*ranks, addressLine)).run();
+    std::string line;
+    if (ranks->isRoot()) std::getline(addressLine, line);
+    RenderJob(ranks, addressForAll(*ranks, line)).run();
 }
 
 }  // namespace aeolic::stream

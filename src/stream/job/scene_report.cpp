@@ -17,7 +17,6 @@
 #include "description/camera.h"
 #include "description/color_by.h"
 #include "description/colormap.h"
-#include "description/scene_document.h"
 #include "description/scene_json.h"
 #include "description/surface_spec.h"
 #include "description/vectors_text.h"
@@ -73,12 +72,18 @@ FileFacts factsOf(const std::string& file)
     return entry->second;
 }
 
+/// What the values of an array are called, of vectors those of their length.
+std::string valuesName(const ArrayChoice& array)
+{
+    return array.components == 1 ? array.name : array.name + ":mag";
+}
+
 /// Name (or NAME:mag) and range of what isosurfaces can be cut at.
 Json isosurfaceChoices(const FileFacts& file, const ArrayChoices& arrays)
 {
     Json choices = Json::array();
     for (const ArrayChoice& array : arrays) {
-        Json choice{{"array", array.components == 1 ? array.name : array.name + ":mag"}};
+        Json choice{{"array", valuesName(array)}};
         if (const auto range = file.ranges.find(array.name); range != file.ranges.end())
             choice["range"] = range->second;
         choices.push_back(choice);
@@ -110,12 +115,9 @@ Json choices(const Renderer& renderer)
         if (description.field.spec.empty() && array.name == shown) addNew(vectors, reversedName(shown));
     }
     if (!description.field.vectors.empty()) addNew(vectors, description.field.vectors);  // wallShear(NAME), too.
-    const auto nameOf = [](const ArrayChoice& array) {
-        return array.components == 1 ? array.name : array.name + ":mag";
-    };
-    const bool ofField = !description.field.spec.empty();  // What the streaks follow.
+    const bool ofField = !description.field.spec.empty();                                // What the streaks follow.
     const auto addParts = [&](const std::string& prefix, const ArrayChoice& array, bool withNormal) {
-        addNew(colorBy, prefix + nameOf(array));
+        addNew(colorBy, prefix + valuesName(array));
         if (array.components != 3) return;
         for (const ArrayPart part : {ArrayPart::x, ArrayPart::y, ArrayPart::z})
             addNew(colorBy, prefix + array.name + std::string(suffixOf(part)));
@@ -126,7 +128,7 @@ Json choices(const Renderer& renderer)
     for (const ArrayChoice& array : scene.fieldArrays) addParts("", array, ofField);
     const Json known = colorBy;
     for (const ArrayChoice& array : scene.surfaceArrays) {
-        const bool both = std::find(known.begin(), known.end(), Json(nameOf(array))) != known.end();
+        const bool both = std::find(known.begin(), known.end(), Json(valuesName(array))) != known.end();
         const bool own = ownsArrays(description);
         if (!both || own) addParts(both ? std::string(ColorBy::kSurfacePrefix) : "", array, !ofField);
     }

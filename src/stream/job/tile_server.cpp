@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "stream/link/lost_peer.h"
+#include "stream/link/accept.h"
 #include "stream/outgoing.h"
 #include "stream/web_connection.h"
 
@@ -69,20 +69,24 @@ struct Invitation {
 
 struct TileServer::State {
     asio::io_context io{1};
-    Tcp::acceptor acceptor;
+    std::shared_ptr<Tcp::acceptor> acceptor;
     std::mutex mutex;
     std::vector<Invitation> invitations;
     std::map<std::uint32_t, std::shared_ptr<Connection>> connections;
-    const Limits limits;
+    const TileLimits limits;
     /// What all tiles take that somebody still holds. They may be freed after this object.
     const std::shared_ptr<std::atomic<std::uint64_t>> bytes = std::make_shared<std::atomic<std::uint64_t>>(0);
     int open = 0;
     std::thread thread;
 
-    State(bool everywhere, PortRange ports, const Limits& theLimits)
-        : acceptor(listenOn(io, everywhere ? "" : "127.0.0.1", ports)), limits(theLimits)
+    State(bool everywhere, PortRange ports, const TileLimits& theLimits)
+        : acceptor(std::make_shared<Tcp::acceptor>(listenOn(io, everywhere ? "" : "127.0.0.1", ports))),
+          limits(theLimits)
     {
-        asio::co_spawn(io, acceptAll(), asio::detached);
+        const auto take = [this](Tcp::socket socket) {
+            asio::co_spawn(io, serve(WebConnection(std::move(socket), nullptr)), asio::detached);
+        };
+        asio::co_spawn(io, acceptAll(acceptor, kWriteLimit, take), asio::detached);
         asio::co_spawn(io, forgetInvitations(), asio::detached);
         thread = std::thread([this] { io.run(); });
     }
@@ -95,10 +99,8 @@ struct TileServer::State {
     /// Viewers that never come must not fill the memory, even where nobody else comes either.
     asio::awaitable<void> forgetInvitations()
     {
-        asio::steady_timer pause(io);
         for (;;) {
-            pause.expires_after(limits.invitationTime);
-            co_await pause.async_wait(asio::use_awaitable);
+            co_await pauseFor(limits.invitationTime);
             const std::lock_guard lock(mutex);
             forgetOld();
         }
@@ -115,29 +117,12 @@ struct TileServer::State {
         std::erase_if(invitations, [](const Invitation& one) { return one.until < Clock::now(); });
     }
 
-    asio::awaitable<void> acceptAll()
-    {
-        for (;;) {
-            boost::system::error_code error;
-            Tcp::socket socket = co_await acceptor.async_accept(asio::redirect_error(asio::use_awaitable, error));
-            if (error == asio::error::operation_aborted) co_return;
-            if (error) {
-                asio::steady_timer pause(io, std::chrono::milliseconds(100));
-                co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
-                continue;
-            }
-            if (open >= kMostConnections) continue;
-            socket.set_option(Tcp::no_delay(true), error);
-            noticeLostPeer(socket.native_handle(), kWriteLimit);
-            asio::co_spawn(io, serve(WebConnection(std::move(socket), nullptr)), asio::detached);
-        }
-    }
-
 // GCC 12 with the sanitizers looks into Boost's allocation of this coroutine's memory, but not into its return.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
     asio::awaitable<void> serve(WebConnection connection)
     {
+        if (open >= kMostConnections) co_return;
         ++open;
         try {
             connection.expiresAfter(kRequestTime);
@@ -148,8 +133,7 @@ struct TileServer::State {
             for (auto left = kRequestTime; forTiles && left > kLookAgain; left -= kLookAgain) {
                 viewer = takeInvitation(request);
                 if (viewer) break;
-                asio::steady_timer pause(io, kLookAgain);
-                co_await pause.async_wait(asio::use_awaitable);
+                co_await pauseFor(kLookAgain);
             }
             if (viewer) {
                 co_await stay(*viewer, std::make_shared<Connection>(std::move(connection)), request);
@@ -195,9 +179,7 @@ struct TileServer::State {
     }
 };
 
-TileServer::TileServer(bool everywhere, PortRange ports) : TileServer(everywhere, ports, Limits()) {}
-
-TileServer::TileServer(bool everywhere, PortRange ports, const Limits& limits)
+TileServer::TileServer(bool everywhere, PortRange ports, const TileLimits& limits)
 {
     try {
         state_ = std::make_unique<State>(everywhere, ports, limits);
@@ -210,7 +192,7 @@ TileServer::~TileServer() = default;
 
 std::uint16_t TileServer::port() const
 {
-    return state_->acceptor.local_endpoint().port();
+    return state_->acceptor->local_endpoint().port();
 }
 
 void TileServer::invite(std::uint32_t viewer, const std::string& token)

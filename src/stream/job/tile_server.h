@@ -10,19 +10,18 @@
 
 namespace aeolic::stream {
 
+struct TileLimits {
+    std::chrono::milliseconds invitationTime{30000};  ///< An invitation is good for so long.
+    std::uint64_t bytes = std::uint64_t(-1);          ///< All tiles that wait for viewers, together.
+};
+
 /// A rank's own port for viewers (paper, section 4: every node sends its stripe to the viewer itself). An invited
 /// viewer opens a WebSocket with its token, once. Tiles then go to it without a detour. The server has its own thread,
 /// and any thread may call any method.
 class TileServer {
 public:
-    struct Limits {
-        std::chrono::milliseconds invitationTime{30000};  ///< An invitation is good for so long.
-        std::uint64_t bytes = std::uint64_t(-1);          ///< All tiles that wait for viewers, together.
-    };
-
     /// Listens on a free one of these ports: of all interfaces, or of loopback alone. Throws std::runtime_error.
-    explicit TileServer(bool everywhere, PortRange ports = {});
-    TileServer(bool everywhere, PortRange ports, const Limits& limits);
+    explicit TileServer(bool everywhere, PortRange ports = {}, const TileLimits& limits = {});
     ~TileServer();
 
     std::uint16_t port() const;

@@ -5,7 +5,6 @@
 #include <boost/asio/connect.hpp>
 #include <functional>
 
-#include "stream/link/link_proof.h"
 #include "stream/token.h"
 
 namespace aeolic::stream {
@@ -77,7 +76,7 @@ TEST_F(Greetings, WithoutASecretNobodyIsLetIn)
 /// An impostor who answers first: it gets a number drawn at random, and no more.
 TEST_F(Greetings, ARankTellsAnImpostorNothing)
 {
-    ByteVector heard;
+    WireMessage heard;
     const auto impostor = [&](LinkSocket& link) -> asio::awaitable<void> {
         heard = co_await link.readMessage(Sender::rank, MessageType::knock);
         const Json challenge{{"nonce", makeToken()}, {"proof", linkProof("guess", LinkEnd::gateway, "a", "b")}};
@@ -86,10 +85,10 @@ TEST_F(Greetings, ARankTellsAnImpostorNothing)
         heard = co_await link.readMessage(Sender::rank, MessageType::join);
     };
     EXPECT_FALSE(meet(impostor, rankWith("the-secret-of-this-start")));
-    const std::string text(heard.begin(), heard.end());
+    const std::string text(heard->begin(), heard->end());
     EXPECT_EQ(text.find("secret"), text.npos);
     EXPECT_EQ(text.find("node7"), text.npos);
-    EXPECT_EQ(parseJson(ByteView(heard).subspan(kHeaderBytes)).size(), 1u) << text;
+    EXPECT_EQ(parseJson(ByteView(*heard).subspan(kHeaderBytes)).size(), 1u) << text;
 }
 
 /// One that sends the rank's own proof back, or the gateway's, proves nothing.
@@ -99,11 +98,11 @@ TEST_F(Greetings, ProofsCannotBeSentBack)
         const std::string nonce = makeToken();
         const WireMessage knock = jsonMessage(MessageType::knock, Json{{"nonce", nonce}}.dump());
         co_await link.write(*knock);
-        const ByteVector bytes = co_await link.readMessage(Sender::gatewayToRank, MessageType::challenge);
+        const WireMessage message = co_await link.readMessage(Sender::gatewayToRank, MessageType::challenge);
         Json join = kAbout;
-        join["proof"] = parseJson(ByteView(bytes).subspan(kHeaderBytes))["proof"];
-        const WireMessage message = jsonMessage(MessageType::join, join.dump());
-        co_await link.write(*message);
+        join["proof"] = parseJson(ByteView(*message).subspan(kHeaderBytes))["proof"];
+        const WireMessage answer = jsonMessage(MessageType::join, join.dump());
+        co_await link.write(*answer);
     };
     EXPECT_FALSE(meet(gatewayWith("secret", told_), mirror));
     EXPECT_TRUE(told_.is_null());
@@ -115,14 +114,14 @@ TEST_F(Greetings, WhatARankSaysAboutItselfCannotBeChangedOnTheWay)
         const std::string nonce = makeToken();
         const WireMessage knock = jsonMessage(MessageType::knock, Json{{"nonce", nonce}}.dump());
         co_await link.write(*knock);
-        const ByteVector bytes = co_await link.readMessage(Sender::gatewayToRank, MessageType::challenge);
-        const std::string other = parseJson(ByteView(bytes).subspan(kHeaderBytes))["nonce"];
+        const WireMessage message = co_await link.readMessage(Sender::gatewayToRank, MessageType::challenge);
+        const std::string other = parseJson(ByteView(*message).subspan(kHeaderBytes))["nonce"];
         Json join = kAbout;
         const std::string proof = linkProof("secret", LinkEnd::rank, other, nonce, join.dump());
         join["rank"] = 3;
         join["proof"] = proof;
-        const WireMessage message = jsonMessage(MessageType::join, join.dump());
-        co_await link.write(*message);
+        const WireMessage answer = jsonMessage(MessageType::join, join.dump());
+        co_await link.write(*answer);
     };
     EXPECT_FALSE(meet(gatewayWith("secret", told_), liar));
     EXPECT_TRUE(told_.is_null());
@@ -135,7 +134,7 @@ TEST_F(Greetings, Nonsense)
         const Part stranger = [knock](LinkSocket& link) -> asio::awaitable<void> {
             const WireMessage message = jsonMessage(MessageType::knock, knock);
             co_await link.write(*message);
-            const ByteVector answer = co_await link.readMessage(Sender::gatewayToRank, MessageType::challenge);
+            const WireMessage answer = co_await link.readMessage(Sender::gatewayToRank, MessageType::challenge);
         };
         connect();
         EXPECT_FALSE(meet(gatewayWith("secret", told_), stranger));

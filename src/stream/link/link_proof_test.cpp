@@ -1,4 +1,4 @@
-#include "stream/link/link_proof.h"
+#include "stream/link/link_greeting.h"
 
 #include <gtest/gtest.h>
 

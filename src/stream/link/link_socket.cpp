@@ -9,13 +9,6 @@ namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{1} << 18;  // What is packed at a time.
 
-ByteView takePiece(ByteView& bytes)
-{
-    const ByteView piece = bytes.first(std::min(bytes.size(), kPieceBytes));
-    bytes = bytes.subspan(piece.size());
-    return piece;
-}
-
 }  // namespace
 
 void LinkSocket::close()
@@ -62,48 +55,23 @@ asio::awaitable<void> LinkSocket::read(std::uint8_t* to, std::size_t count)
 asio::awaitable<void> LinkSocket::write(ByteView bytes)
 {
     while (!bytes.empty()) {
-        const ByteView piece = takePiece(bytes);
+        const ByteView piece = bytes.first(std::min(bytes.size(), kPieceBytes));
+        bytes = bytes.subspan(piece.size());
         const ByteVector packed = tls_ ? tls_->write(piece) : ByteVector();
         const ByteView out = tls_ ? ByteView(packed) : piece;
         co_await asio::async_write(socket_, asio::buffer(out.data(), out.size()), asio::use_awaitable);
     }
 }
 
-asio::awaitable<ByteVector> LinkSocket::readMessage(Sender sender, MessageType type)
+asio::awaitable<WireMessage> LinkSocket::readMessage(Sender sender, std::optional<MessageType> type)
 {
     ByteVector bytes(kHeaderBytes);
     co_await read(bytes.data(), bytes.size());
     const MessageHeader header = parseHeader(bytes, sender);
-    if (header.type != type) throw ProtocolError("a message out of turn");
+    if (type && header.type != *type) throw ProtocolError("a message out of turn");
     bytes.resize(kHeaderBytes + header.payloadBytes);
     co_await read(bytes.data() + kHeaderBytes, header.payloadBytes);
-    co_return bytes;
-}
-
-void LinkSocket::readNow(std::uint8_t* to, std::size_t count)
-{
-    if (!tls_) {
-        asio::read(socket_, asio::buffer(to, count));
-        return;
-    }
-    while (count > 0) {
-        const std::size_t unpacked = tls_->read(to, count);
-        to += unpacked;
-        count -= unpacked;
-        if (unpacked > 0) continue;
-        const std::size_t got = socket_.read_some(asio::buffer(wire_));
-        tls_->putIn(ByteView(wire_).first(got));
-    }
-}
-
-void LinkSocket::writeNow(ByteView bytes)
-{
-    while (!bytes.empty()) {
-        const ByteView piece = takePiece(bytes);
-        const ByteVector packed = tls_ ? tls_->write(piece) : ByteVector();
-        const ByteView out = tls_ ? ByteView(packed) : piece;
-        asio::write(socket_, asio::buffer(out.data(), out.size()));
-    }
+    co_return std::make_shared<const ByteVector>(std::move(bytes));
 }
 
 }  // namespace aeolic::stream

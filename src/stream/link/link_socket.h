@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "stream/asio.h"
 #include "stream/link/link_tls.h"
@@ -20,16 +21,12 @@ public:
     void heardAt(std::chrono::steady_clock::time_point when) { heard_ = when; }
     void close();
 
-    // For coroutines on the thread of the socket's io_context. One read and one write may be pending at a time.
+    // For the thread of the socket's io_context. One read and one write may be pending at a time.
     asio::awaitable<void> startTls(TlsSide side, bool isServer);
     asio::awaitable<void> read(std::uint8_t* to, std::size_t count);
     asio::awaitable<void> write(ByteView bytes);
-    /// The next message, which has to be of this type.
-    asio::awaitable<ByteVector> readMessage(Sender sender, MessageType type);
-
-    // For a process without coroutines: these wait. One thread may read while another writes.
-    void readNow(std::uint8_t* to, std::size_t count);
-    void writeNow(ByteView bytes);
+    /// The next message; where `type` is given it has to be of this type.
+    asio::awaitable<WireMessage> readMessage(Sender sender, std::optional<MessageType> type = std::nullopt);
 
 private:
     Tcp::socket socket_;

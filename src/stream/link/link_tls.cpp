@@ -1,5 +1,6 @@
 #include "stream/link/link_tls.h"
 
+#include <fmt/format.h>
 #include <openssl/err.h>
 #include <openssl/evp.h>
 #include <openssl/rand.h>
@@ -9,7 +10,6 @@
 #include <array>
 #include <stdexcept>
 
-#include "stream/hex.h"
 #include "stream/token.h"
 
 namespace aeolic::stream {
@@ -29,7 +29,7 @@ std::string fingerprintOf(const X509* certificate)
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
     unsigned bytes = 0;
     if (X509_digest(certificate, EVP_sha256(), digest.data(), &bytes) != 1) fail("no fingerprint of a certificate");
-    return hexText({digest.data(), bytes});
+    return fmt::format("{:02x}", fmt::join(digest.begin(), digest.begin() + bytes, ""));
 }
 
 TlsSide newSide(const SSL_METHOD* method)
@@ -93,7 +93,6 @@ LinkTls::~LinkTls() = default;
 
 bool LinkTls::shakeHands()
 {
-    const std::lock_guard lock(mutex_);
     ERR_clear_error();
     const int result = SSL_do_handshake(ssl_.get());
     if (result == 1) return true;
@@ -103,14 +102,12 @@ bool LinkTls::shakeHands()
 
 void LinkTls::putIn(ByteView wireBytes)
 {
-    const std::lock_guard lock(mutex_);
     if (BIO_write(SSL_get_rbio(ssl_.get()), wireBytes.data(), int(wireBytes.size())) != int(wireBytes.size()))
         fail("TLS takes no more");
 }
 
 std::size_t LinkTls::read(std::uint8_t* to, std::size_t most)
 {
-    const std::lock_guard lock(mutex_);
     ERR_clear_error();
     std::size_t got = 0;
     const int result = SSL_read_ex(ssl_.get(), to, most, &got);
@@ -121,20 +118,15 @@ std::size_t LinkTls::read(std::uint8_t* to, std::size_t most)
 
 ByteVector LinkTls::write(ByteView plain)
 {
-    {
-        const std::lock_guard lock(mutex_);
-        ERR_clear_error();
-        std::size_t written = 0;
-        // A memory takes everything at once.
-        if (!plain.empty() && SSL_write_ex(ssl_.get(), plain.data(), plain.size(), &written) != 1)
-            fail("TLS cannot write");
-    }
+    ERR_clear_error();
+    std::size_t written = 0;
+    // A memory takes everything at once.
+    if (!plain.empty() && SSL_write_ex(ssl_.get(), plain.data(), plain.size(), &written) != 1) fail("TLS cannot write");
     return takeOut();
 }
 
 ByteVector LinkTls::takeOut()
 {
-    const std::lock_guard lock(mutex_);
     BIO* out = SSL_get_wbio(ssl_.get());
     ByteVector bytes(BIO_ctrl_pending(out));
     if (!bytes.empty() && BIO_read(out, bytes.data(), int(bytes.size())) != int(bytes.size())) fail("TLS loses bytes");

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "stream/wire.h"
@@ -21,8 +20,8 @@ TlsSide makeTlsServer(std::string& fingerprint);
 /// A rank's side, which speaks with nobody but the owner of the certificate with this fingerprint.
 TlsSide makeTlsClient(const std::string& fingerprint);
 
-/// TLS without a socket: it makes wire bytes of plain ones and back. One thread may read while another writes.
-/// Everything throws std::runtime_error where the other end is not who it should be, or sends nonsense.
+/// TLS without a socket: it makes wire bytes of plain ones and back. Not thread-safe. Everything throws
+/// std::runtime_error where the other end is not who it should be, or sends nonsense.
 class LinkTls {
 public:
     LinkTls(const TlsSide& side, bool isServer);
@@ -41,7 +40,6 @@ public:
     ByteVector takeOut();
 
 private:
-    std::mutex mutex_;
     TlsSide side_;
     std::unique_ptr<ssl_st, void (*)(ssl_st*)> ssl_;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
-#include <span>
 #include <tuple>
 #include <utility>
 
@@ -28,22 +27,6 @@ namespace {
 using namespace stream;
 
 constexpr auto kLinkPatience = std::chrono::seconds(10);  // Messages reach the ranks at different times.
-
-/// The renderer's options as the program set them. Views of viewers stand in their place only while they are drawn.
-class OwnOptions {
-public:
-    explicit OwnOptions(const Renderer& renderer) : own_(renderer.description()) {}
-
-    void putBack(Renderer& renderer) const
-    {
-        renderer.setLic(own_.lic);
-        renderer.setShading(own_.shading);
-        renderer.setSize(own_.output.width, own_.output.height);
-    }
-
-private:
-    SceneDescription own_;
-};
 
 }  // namespace
 
@@ -91,31 +74,27 @@ Live::State::State(const Renderer& renderer, LiveOptions options)
 {
     const HostShare host = hostShare(*ranks);
     const bool onOneHost = ranks->allReduce(std::int64_t(host.ranks), Reduction::min) == ranks->size();
-    Bytes joinAt;
+    std::string joinAt;
     runTogether(*ranks, [&] {
         if (!ranks->isRoot()) return;
         if (options.host.empty()) throw InputError("host", "found ''", "an address of this host");
         checkWhole("largestSide", options.largestSide, options::side);
         if (!options.token.empty()) checkToken("token", options.token);
-        ProgramGateway::Options served;
-        served.hub.scene = sceneShown(renderer);
-        served.hub.largestSide = options.largestSide;
-        served.hub.maxViewers = std::size_t(std::max(1, options.maxViewers));
-        served.hub.ofProgram = true;
-        served.host = options.host;
-        served.port = options.port;
-        served.token = options.token.empty() ? makeToken() : options.token;
-        served.embedded = options.embedded;
-        served.linksOnAllHosts = !onOneHost;
-        served.ranks = ranks->size();
-        gateway = std::make_unique<ProgramGateway>(served);
+        Hub::Options hub;
+        hub.scene = sceneShown(renderer);
+        hub.largestSide = options.largestSide;
+        hub.maxViewers = std::size_t(std::max(1, options.maxViewers));
+        hub.ofProgram = true;
+        WebServerOptions web;
+        web.host = options.host;
+        web.port = options.port;
+        web.rules.token = options.token.empty() ? makeToken() : options.token;
+        web.rules.embedded = options.embedded;
+        gateway = std::make_unique<ProgramGateway>(std::move(hub), std::move(web), ranks->size(), onOneHost);
         address = gateway->address();
-        const std::string text = addressToJson(gateway->linkAddress());
-        const auto bytes = std::as_bytes(std::span(text));
-        joinAt.assign(bytes.begin(), bytes.end());
+        joinAt = addressToJson(gateway->linkAddress());
     });
-    ranks->broadcast(joinAt);
-    const GatewayAddress place = addressFromJson({reinterpret_cast<const char*>(joinAt.data()), joinAt.size()});
+    const GatewayAddress place = addressForAll(*ranks, joinAt);
     runTogether(*ranks, [&] { link.emplace(place, aboutThisRank(*ranks, nullptr), [] {}); });
     frames.emplace(ranks, *link, nullptr);
     toldRevision = RendererInternals::revision(renderer);
@@ -180,13 +159,16 @@ void Live::State::handle(const WireMessage& message, Renderer& renderer)
     const MessageView view = parseMessage(*message, Sender::gatewayToRank);
     if (view.type == MessageType::load) load(parseJson(view.payload), renderer);
     if (view.type != MessageType::draw && view.type != MessageType::probe) return;
-    const OwnOptions own(renderer);
+    // Views of viewers stand in the place of the program's own options only while they are drawn.
+    const SceneDescription own = renderer.description();
     if (view.type == MessageType::probe)
         frames->probe(&renderer, probeFrom(parseJson(view.payload)));
     else
         frames->start(&renderer, drawFrom(parseJson(view.payload)));
     if (frames->started() > 0) frames->finish(renderer);
-    own.putBack(renderer);
+    renderer.setLic(own.lic);
+    renderer.setShading(own.shading);
+    renderer.setSize(own.output.width, own.output.height);
 }
 
 /// A viewer asks for another moment, for controls, or for what only the program can load.

@@ -4,12 +4,11 @@
 #include <boost/asio/detached.hpp>
 #include <boost/asio/ip/host_name.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/asio/use_awaitable.hpp>
 #include <chrono>
 
 #include "stream/gateway/open_files.h"
 #include "stream/gateway/serve.h"
+#include "stream/link/accept.h"
 #include "stream/token.h"
 
 namespace aeolic::stream {
@@ -23,28 +22,24 @@ constexpr auto kGoodbye = std::chrono::milliseconds(100);  // Viewers on this ho
 
 }  // namespace
 
-ProgramGateway::ProgramGateway(const Options& options)
-    : hub_(options.hub, [this](const WireMessage& message) { jobLinks_.send(message); }),
-      jobLinks_(io_, options.linksOnAllHosts ? "" : "127.0.0.1", 0, kSilenceLimit,
-                {[this, ranks = options.ranks] { hub_.jobStarted(ranks); },
-                 [this](const WireMessage& message) { hub_.jobSaid(message); },
-                 [this](const std::optional<std::string>& why) {
-                     hub_.jobEnded(why.value_or("the program has ended"));
-                     hub_.jobGivenUp(why.value_or("the program has ended"));
-                 }})
+ProgramGateway::ProgramGateway(Hub::Options hub, WebServerOptions web, int ranks, bool onOneHost)
+    : hub_(std::move(hub), [this](const WireMessage& message) { jobLinks_.send(message); }),
+      jobLinks_(
+          io_, onOneHost ? "127.0.0.1" : "", 0, kSilenceLimit,
+          {[this, ranks] { hub_.jobStarted(ranks); }, [this](const WireMessage& message) { hub_.jobSaid(message); },
+           [this](const std::optional<std::string>& why) {
+               hub_.jobEnded(why.value_or("the program has ended"));
+               hub_.jobGivenUp(why.value_or("the program has ended"));
+           }})
 {
-    WebServerOptions web;
-    web.host = options.host;
-    web.port = options.port;
-    web.rules.token = options.token;
-    web.rules.statusJson = [this] { return status(); };
-    web.rules.names = {options.host, asio::ip::host_name()};
-    web.rules.embedded = options.embedded;
-    web.mostConnections = provideOpenFiles(options.ranks);
+    web.rules.statusJson = [this] { return statusJson(hub_, jobLinks_.pids()); };
+    web.rules.names = {web.host, asio::ip::host_name()};
+    web.mostConnections = provideOpenFiles(ranks);
+    const std::string host = web.host, token = web.rules.token;
     server_ = std::make_unique<WebServer>(io_, std::move(web), hub_);
-    address_ = addressText(options.host, server_->port(), false, options.token);
+    address_ = addressText(host, server_->port(), false, token);
     const std::string secret = makeToken();
-    links_.fingerprint = jobLinks_.expect(secret, options.ranks);
+    links_.fingerprint = jobLinks_.expect(secret, ranks);
     links_.secret = secret;
     links_.hosts = jobLinks_.hosts();
     links_.port = jobLinks_.port();
@@ -69,14 +64,8 @@ asio::awaitable<void> ProgramGateway::tick()
 {
     for (;;) {
         hub_.tick();
-        asio::steady_timer pause(io_, kTick);
-        co_await pause.async_wait(asio::use_awaitable);
+        co_await pauseFor(kTick);
     }
-}
-
-std::string ProgramGateway::status() const
-{
-    return statusJson(hub_, jobLinks_.pids());
 }
 
 }  // namespace aeolic::stream

@@ -15,17 +15,9 @@ namespace aeolic::stream {
 /// nothing, and where a rank goes, nothing comes back.
 class ProgramGateway {
 public:
-    struct Options {
-        Hub::Options hub;
-        std::string host = "127.0.0.1";
-        std::uint16_t port = 0;        ///< 0: any that is free.
-        std::string token;             ///< Not empty.
-        bool embedded = false;         ///< Pages of this host may hold the page in a frame.
-        bool linksOnAllHosts = false;  ///< Ranks come from other hosts, too.
-        int ranks = 1;
-    };
-    /// Opens the ports. Throws InputError where one cannot be had.
-    explicit ProgramGateway(const Options& options);
+    /// Opens the ports. `onOneHost`: no rank comes from another host. `web` lacks what only this class knows. Throws
+    /// InputError where a port cannot be had.
+    ProgramGateway(Hub::Options hub, WebServerOptions web, int ranks, bool onOneHost);
     /// Tells viewers that the server stops, and waits for its thread: a tenth of a second.
     ~ProgramGateway();
     ProgramGateway(const ProgramGateway&) = delete;
@@ -36,7 +28,6 @@ public:
 
 private:
     boost::asio::awaitable<void> tick();
-    std::string status() const;
 
     Hub hub_;
     boost::asio::io_context io_{1};  ///< Sessions end with it, and leave the hub then.

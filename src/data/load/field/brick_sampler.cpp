@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "base/append.h"
+#include "base/byte_message.h"
 #include "data/surface_range.h"
 
 namespace aeolic {
@@ -17,58 +19,26 @@ bool isBefore(const glm::dvec3& a, const glm::dvec3& b)
 }
 
 /// The places of all ranks, one after the other. `first` becomes where this rank's begin.
-std::vector<double> placesOfAll(Agreement& agreement, const std::vector<glm::dvec3>& mine, std::size_t& first)
+std::vector<glm::dvec3> placesOfAll(Agreement& agreement, const std::vector<glm::dvec3>& mine, std::size_t& first)
 {
-    const FieldPart part = agreement.part();
-    std::vector<double> counts(std::size_t(part.ranks), 0.0);
-    counts[std::size_t(part.rank)] = double(mine.size());
-    agreement.sum(counts);
-    std::size_t all = 0;
-    for (std::size_t rank = 0; rank < counts.size(); ++rank) {
-        if (rank == std::size_t(part.rank)) first = all;
-        all += std::size_t(counts[rank]);
+    ByteWriter writer;
+    writer.add(mine);
+    const std::vector<Bytes> all = agreement.gatherAll(writer.take());
+    std::vector<glm::dvec3> places, some;
+    for (std::size_t rank = 0; rank < all.size(); ++rank) {
+        if (rank == std::size_t(agreement.part().rank)) first = places.size();
+        ByteReader(all[rank]).read(some);
+        appendAll(places, some);
     }
-    std::vector<double> places(3 * all, 0.0);
-    for (std::size_t i = 0; i < mine.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) places[3 * (first + i) + c] = mine[i][int(c)];
-    agreement.sum(places);
     return places;
-}
-
-std::vector<double> flat(const std::vector<glm::dvec3>& places)
-{
-    std::vector<double> numbers;
-    numbers.reserve(3 * places.size());
-    for (const glm::dvec3& place : places) numbers.insert(numbers.end(), {place.x, place.y, place.z});
-    return numbers;
 }
 
 }  // namespace
 
 BrickSampler::BrickSampler(std::shared_ptr<const GridField> vectors, std::shared_ptr<const GridField> scalars,
                            double longest)
-    : grid_(vectors, scalars), vectors_(std::move(vectors)), scalars_(std::move(scalars)), longest_(longest)
+    : GridSampler(std::move(vectors), std::move(scalars)), longest_(longest)
 {
-}
-
-bool BrickSampler::findWithin(const glm::dvec3& pointWorld, CellPlace& place) const
-{
-    return grid_.findWithin(pointWorld, place);
-}
-
-bool BrickSampler::find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const
-{
-    return grid_.find(pointWorld, towards, place);
-}
-
-double BrickSampler::heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const
-{
-    return grid_.heightOver(place, pointWorld, normal);
-}
-
-double BrickSampler::widthOf(const CellPlace& place, const glm::dvec3& direction) const
-{
-    return grid_.widthOf(place, direction);
 }
 
 glm::dvec3 BrickSampler::vectorAt(const CellPlace& place) const
@@ -84,7 +54,7 @@ double BrickSampler::scalarAt(const CellPlace& place) const
 
 BrickSampler::Values BrickSampler::valuesAt(const CellPlace& place) const
 {
-    const glm::dvec3 at = grid_.pointOf(place);
+    const glm::dvec3 at = pointOf(place);
     if (!answers_) {
         const std::lock_guard lock(asking_);
         places_.push_back(at);
@@ -107,15 +77,13 @@ BrickSampler::Values BrickSampler::ownValuesAt(const glm::dvec3& pointWorld) con
 
 void BrickSampler::ask(Agreement& agreement, bool samePlaces)
 {
-    std::sort(places_.begin(), places_.end(), isBefore);
+    std::ranges::sort(places_, isBefore);
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
     std::size_t first = 0;
-    const std::vector<double> places = samePlaces ? flat(places_) : placesOfAll(agreement, places_, first);
-    std::vector<double> values(places.size() / 3 * 4);
-    for (std::size_t i = 0; i < places.size() / 3; ++i) {
-        const Values own = ownValuesAt({places[3 * i], places[3 * i + 1], places[3 * i + 2]});
-        std::copy(own.begin(), own.end(), values.begin() + std::ptrdiff_t(4 * i));
-    }
+    const std::vector<glm::dvec3> places = samePlaces ? places_ : placesOfAll(agreement, places_, first);
+    std::vector<double> values(4 * places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        std::ranges::copy(ownValuesAt(places[i]), values.begin() + std::ptrdiff_t(4 * i));
     agreement.sum(values);  // Of each place one rank alone has other terms than zero, so this rounds nothing.
     known_.resize(places_.size());
     for (std::size_t i = 0; i < places_.size(); ++i)

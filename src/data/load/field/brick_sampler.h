@@ -14,24 +14,13 @@ namespace aeolic {
 /// It is asked twice for the same. At first no value is known (NaN), and the places that were asked for are kept. Then
 /// ask() brings their values from the ranks that own them, and the second time they are known. The second time may ask
 /// for fewer places, but for no others. That suits a search that goes on from place to place.
-class BrickSampler final : public VolumeSampler {
+class BrickSampler final : public GridSampler {
 public:
     /// `scalars`: null where there is none. `longest`: of the vectors of all bricks.
     BrickSampler(std::shared_ptr<const GridField> vectors, std::shared_ptr<const GridField> scalars, double longest);
 
-    bool findWithin(const glm::dvec3& pointWorld, CellPlace& place) const override;
-    bool find(const glm::dvec3& pointWorld, const glm::dvec3& towards, CellPlace& place) const override;
     glm::dvec3 vectorAt(const CellPlace& place) const override;
     double scalarAt(const CellPlace& place) const override;
-    glm::dvec3 pointOf(const CellPlace& place) const override { return grid_.pointOf(place); }
-    double heightOver(const CellPlace& place, const glm::dvec3& pointWorld, const glm::dvec3& normal) const override;
-    double meanDistanceOfCenters(const glm::dvec3&, const glm::dvec3&) const override
-    {
-        return 0;
-    }  // No means of cells.
-    double reachOfCenters(const glm::dvec3&, const glm::dvec3&) const override { return 0; }
-    double widthOf(const CellPlace& place, const glm::dvec3& direction) const override;
-    const Bounds& bounds() const override { return grid_.bounds(); }
     double maxVector() const override { return longest_; }
 
     /// Collective. `samePlaces`: every rank asked for the same ones. Cost: 32 bytes for each place that any rank asked
@@ -43,8 +32,6 @@ private:
     Values valuesAt(const CellPlace& place) const;
     Values ownValuesAt(const glm::dvec3& pointWorld) const;
 
-    GridSampler grid_;
-    std::shared_ptr<const GridField> vectors_, scalars_;
     double longest_;
     mutable std::mutex asking_;
     mutable std::vector<glm::dvec3> places_;  // Sorted once they are known.

@@ -5,7 +5,7 @@
 
 #include "aeolic/error.h"
 #include "base/byte_message.h"
-#include "data/cells/volume_shell.h"
+#include "data/cells/volume_message.h"
 #include "data/load/scene_facts.h"
 
 namespace aeolic {

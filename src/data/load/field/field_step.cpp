@@ -7,26 +7,21 @@
 #include "data/load/surface_message.h"
 
 namespace aeolic {
-namespace {
-
-template <class Field, class Visit>
-void forEachNumber(Field& field, const Visit& visit)
-{
-    visit(field.dims);
-    visit(field.originWorld);
-    visit(field.spacingWorld);
-    visit(field.components);
-    visit(field.precision);
-    visit(field.tiled);
-    visit(field.maxMagnitude);
-    visit(field.name);
-}
 
 /// A grid without its samples.
+template <PerhapsConst<GridField> Field, class Visit>
+void withMembers(Field& field, const Visit& visit)
+{
+    visit(field.dims, field.originWorld, field.spacingWorld, field.components, field.precision, field.tiled,
+          field.maxMagnitude, field.name);
+}
+
+namespace {
+
 void addGrid(ByteWriter& writer, const std::shared_ptr<const GridField>& field)
 {
     writer.add(std::uint8_t(field != nullptr));
-    if (field) forEachNumber(*field, [&](const auto& number) { writer.add(number); });
+    if (field) writer.add(*field);
 }
 
 std::shared_ptr<GridField> readGrid(ByteReader& reader)
@@ -35,7 +30,7 @@ std::shared_ptr<GridField> readGrid(ByteReader& reader)
     reader.read(there);
     if (!there) return nullptr;
     auto field = std::make_shared<GridField>();
-    forEachNumber(*field, [&](auto& number) { reader.read(number); });
+    reader.read(*field);
     return field;
 }
 
@@ -62,41 +57,13 @@ std::shared_ptr<const GridField> shareGrid(const std::shared_ptr<const GridField
 
 }  // namespace
 
-void addFacts(ByteWriter& writer, const FieldFacts& facts)
-{
-    writer.add(facts.hasScalar);
-    writer.add(facts.ofVectors);
-    writer.add(facts.scalarName);
-    writer.add(facts.vectorsName);
-    writer.add(facts.arrays);
-    writer.add(facts.name);
-    addArrays(writer, facts.offered);
-    writer.add(facts.timeSteps);
-    addTallies(writer, facts.tallies);
-}
-
-FieldFacts readFacts(ByteReader& reader)
-{
-    FieldFacts facts;
-    reader.read(facts.hasScalar);
-    reader.read(facts.ofVectors);
-    reader.read(facts.scalarName);
-    reader.read(facts.vectorsName);
-    reader.read(facts.arrays);
-    reader.read(facts.name);
-    facts.offered = readArrays(reader);
-    reader.read(facts.timeSteps);
-    facts.tallies = readTallies(reader);
-    return facts;
-}
-
 void shareStep(FieldStep& step, Agreement& agreement)
 {
     Bytes message;
     agreement.together([&] {
         if (agreement.part().rank > 0) return;
         ByteWriter writer;
-        addFacts(writer, step);
+        writer.add(static_cast<const FieldFacts&>(step));
         addGrid(writer, step.vectors);
         addGrid(writer, step.scalar);
         writer.add(std::uint8_t(step.readCells != nullptr));
@@ -110,7 +77,7 @@ void shareStep(FieldStep& step, Agreement& agreement)
     std::uint8_t hasCells = 0;
     agreement.together([&] {
         ByteReader reader(message);
-        static_cast<FieldFacts&>(all) = readFacts(reader);
+        reader.read(static_cast<FieldFacts&>(all));
         vectors = readGrid(reader);
         scalar = readGrid(reader);
         reader.read(hasCells);

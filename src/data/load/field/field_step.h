@@ -2,37 +2,26 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "base/byte_message.h"
-#include "data/array_choice.h"
+#include "data/field_facts.h"
 #include "data/load/agreement.h"
 #include "data/load/field/dealt_volume.h"
 #include "data/loaded_surface.h"
-#include "data/tally.h"
 #include "data/vector_field.h"
 
 namespace aeolic {
 
 class GridFile;
 
-/// What is known of a field beside its values.
-struct FieldFacts {
-    bool hasScalar = false;                  ///< Something to colour by is in the field.
-    ArrayPart ofVectors = ArrayPart::whole;  ///< Scene::ofVectors, of that something.
-    std::string scalarName;
-    std::string vectorsName;
-    std::string arrays;             ///< What arrays there are, for messages.
-    ArrayChoices offered;           ///< What arrays there are to choose from.
-    std::vector<double> timeSteps;  ///< Those of a file that holds several.
-    std::vector<Tally> tallies;
-    std::string name;  ///< The file's, for messages.
-};
-
 // Facts as parts of messages.
-void addFacts(ByteWriter& writer, const FieldFacts& facts);
-FieldFacts readFacts(ByteReader& reader);
+template <PerhapsConst<FieldFacts> Facts, class Visit>
+void withMembers(Facts& facts, const Visit& visit)
+{
+    visit(facts.hasScalar, facts.ofVectors, facts.scalarName, facts.vectorsName, facts.arrays, facts.name,
+          facts.offered, facts.timeSteps, facts.tallies);
+}
 
 /// One moment of a field and of the surfaces that are cut out of it.
 struct FieldStep : FieldFacts {

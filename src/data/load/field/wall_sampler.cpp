@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/append.h"
 #include "data/cells/cell_sampler.h"
 #include "data/cells/grid_sampler.h"
 #include "data/load/field/brick_sampler.h"
@@ -20,12 +21,12 @@ constexpr double kDiagonalsAtOnce = 1.5, kDiagonalsForCenters = 3;
 /// What all ranks together look up at once in bricks, and the least that one of them does.
 constexpr std::size_t kPointsAtOnce = 1 << 18, kLeastAtOnce = 1 << 10;
 
-void append(WallValues& values, const WallValues& more)
+void appendValues(WallValues& values, const WallValues& more)
 {
-    values.vectors.insert(values.vectors.end(), more.vectors.begin(), more.vectors.end());
-    values.scalars.insert(values.scalars.end(), more.scalars.begin(), more.scalars.end());
-    values.within.insert(values.within.end(), more.within.begin(), more.within.end());
-    values.atRest.insert(values.atRest.end(), more.atRest.begin(), more.atRest.end());
+    appendAll(values.vectors, more.vectors);
+    appendAll(values.scalars, more.scalars);
+    appendAll(values.within, more.within);
+    appendAll(values.atRest, more.atRest);
     values.inside += more.inside;
 }
 
@@ -125,7 +126,7 @@ WallValues WallSampler::values(const SurfaceMesh& mesh, const Volume& volume, Wa
     const auto look = [&](const SurfaceMesh& points, const VolumeSampler& sampler) {
         return lookUpNearWall(points, sampler, some);
     };
-    lookAt(mesh, volume, look, [&](const WallValues& values) { append(all, values); });
+    lookAt(mesh, volume, look, [&](const WallValues& values) { appendValues(all, values); });
     if (volume.step->cells) lookFarther(mesh, volume, lookup, all);
     return all;
 }

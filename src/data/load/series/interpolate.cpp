@@ -42,8 +42,7 @@ std::vector<std::uint32_t> matchingPoints(const LoadedSurface& first, const Load
 {
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     if (first.pointIds.size() != second.pointIds.size() || first.pointIds.empty()) return {};
-    std::vector<std::uint32_t> ofId(std::size_t(*std::max_element(second.pointIds.begin(), second.pointIds.end())) + 1,
-                                    none);
+    std::vector<std::uint32_t> ofId(std::size_t(*std::ranges::max_element(second.pointIds)) + 1, none);
     for (std::size_t i = 0; i < second.pointIds.size(); ++i) ofId[second.pointIds[i]] = std::uint32_t(i);
     std::vector<std::uint32_t> match;
     match.reserve(first.pointIds.size());

@@ -56,7 +56,7 @@ std::optional<std::int64_t> numberIn(const std::string& name, const Pattern& pat
         return std::nullopt;
     const std::string digits =
         name.substr(pattern.before.size(), name.size() - pattern.before.size() - pattern.after.size());
-    if (digits.size() > mostDigits || !std::all_of(digits.begin(), digits.end(), isDigit)) return std::nullopt;
+    if (digits.size() > mostDigits || !std::ranges::all_of(digits, isDigit)) return std::nullopt;
     const bool padded = digits.size() > 1 && digits.front() == '0';
     if (pattern.width > 0 && (digits.size() < pattern.width || (padded && digits.size() > pattern.width)))
         return std::nullopt;
@@ -92,7 +92,7 @@ std::vector<SeriesEntry> numberedFiles(const std::string& path)
         throw InputError(path, "no file has such a name",
                          fmt::format("files like {}{:0{}}{}", pattern->before, 0,
                                      std::max<std::size_t>(1, pattern->width), pattern->after));
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     std::vector<SeriesEntry> entries;
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (i > 0 && found[i].first == found[i - 1].first)

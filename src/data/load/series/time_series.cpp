@@ -61,7 +61,7 @@ std::vector<SeriesEntry> numberedParts(std::vector<SeriesEntry> entries)
         if (numbered[entry.time] == 0) entry.part = next[entry.time]++;
     }
     if (areParts)
-        std::stable_sort(entries.begin(), entries.end(), [](const SeriesEntry& a, const SeriesEntry& b) {
+        std::ranges::stable_sort(entries, [](const SeriesEntry& a, const SeriesEntry& b) {
             return a.time < b.time || (a.time == b.time && a.part < b.part);
         });
     return entries;

@@ -15,19 +15,62 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 
 #include "aeolic/error.h"
 #include "base/parallel.h"
-#include "data/vtk/checks/sound_cells.h"
+#include "data/vtk/arrays.h"
 
 namespace aeolic {
 namespace {
 
+/// Calls test(begin, end) for ranges that cover [0, count). Whether it holds for all.
+template <class Test>
+bool holdsForAll(vtkIdType count, const Test& test)
+{
+    std::atomic<bool> all = true;
+    parallelRanges(std::size_t(count), 1 << 16, [&](std::size_t begin, std::size_t end) {
+        if (!test(begin, end)) all = false;
+    });
+    return all;
+}
+
+template <class Array>
+bool areSurelySound(Array& offsets, Array& corners, vtkIdType points)
+{
+    const vtkIdType cells = offsets.GetNumberOfValues() - 1;
+    const auto *first = offsets.GetPointer(0), *ids = corners.GetPointer(0);
+    if (cells < 0 || corners.GetNumberOfComponents() != 1) return false;
+    if (first[0] != 0 || first[cells] != corners.GetNumberOfValues()) return false;
+    return holdsForAll(cells, [&](auto begin, auto end) { return std::is_sorted(first + begin, first + end + 1); }) &&
+           holdsForAll(corners.GetNumberOfValues(), [&](auto begin, auto end) {
+               vtkIdType signs = 0;  // Negative as soon as one is. A loop without branches handles several at once.
+               for (auto k = begin; k < end; ++k) signs |= vtkIdType(ids[k]) | (points - 1 - vtkIdType(ids[k]));
+               return signs >= 0;
+           });
+}
+
+/// Throws for the first cell with a corner that is not a point. Every corner belongs to a cell.
+void requireCorners(vtkCellArray& cells, vtkIdType points, const std::string& where, std::string_view kind)
+{
+    const std::string expected = points > 0 ? fmt::format("points from 0 to {}", points - 1) : "at least one point";
+    for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
+        vtkIdType count = 0;
+        const vtkIdType* ids = nullptr;
+        cells.GetCellAtId(cell, count, ids);
+        const auto* bad = std::find_if(ids, ids + count, [&](vtkIdType id) { return id < 0 || id >= points; });
+        if (bad != ids + count)
+            throw InputError(where, fmt::format("{} {} refers to point {}, which does not exist", kind, cell, *bad),
+                             expected);
+    }
+}
+
 void requireTuples(vtkDataSet& data, const std::string& path)
 {
     for (const bool onPoints : {true, false}) {
-        vtkFieldData* all = onPoints ? static_cast<vtkFieldData*>(data.GetPointData()) : data.GetCellData();
+        vtkDataSetAttributes* all = attributesOf(data, onPoints);
         const vtkIdType expected = onPoints ? data.GetNumberOfPoints() : data.GetNumberOfCells();
         for (int i = 0; i < all->GetNumberOfArrays(); ++i) {
             vtkAbstractArray* array = all->GetAbstractArray(i);
@@ -46,78 +89,57 @@ struct Corners {
     vtkIdType least = -1, most = -1;
 };
 
+constexpr vtkIdType kAny = -1;
+
+/// By VTK's type. VTK makes empty cells of the hidden ones of structured grids, with their corners.
+constexpr auto kCorners = [] {
+    struct OfType {
+        int type;
+        vtkIdType least, most;
+    };
+    constexpr OfType all[] = {{VTK_EMPTY_CELL, 0, kAny},
+                              {VTK_VERTEX, 1, 1},
+                              {VTK_POLY_VERTEX, 1, kAny},
+                              {VTK_LINE, 2, 2},
+                              {VTK_POLY_LINE, 2, kAny},
+                              {VTK_TRIANGLE, 3, 3},
+                              {VTK_TRIANGLE_STRIP, 3, kAny},
+                              {VTK_POLYGON, 3, kAny},
+                              {VTK_PIXEL, 4, 4},
+                              {VTK_QUAD, 4, 4},
+                              {VTK_TETRA, 4, 4},
+                              {VTK_VOXEL, 8, 8},
+                              {VTK_HEXAHEDRON, 8, 8},
+                              {VTK_WEDGE, 6, 6},
+                              {VTK_PYRAMID, 5, 5},
+                              {VTK_PENTAGONAL_PRISM, 10, 10},
+                              {VTK_HEXAGONAL_PRISM, 12, 12},
+                              {VTK_QUADRATIC_EDGE, 3, 3},
+                              {VTK_QUADRATIC_TRIANGLE, 6, 6},
+                              {VTK_QUADRATIC_QUAD, 8, 8},
+                              {VTK_QUADRATIC_TETRA, 10, 10},
+                              {VTK_QUADRATIC_HEXAHEDRON, 20, 20},
+                              {VTK_QUADRATIC_WEDGE, 15, 15},
+                              {VTK_QUADRATIC_PYRAMID, 13, 13},
+                              {VTK_BIQUADRATIC_QUAD, 9, 9},
+                              {VTK_TRIQUADRATIC_HEXAHEDRON, 27, 27},
+                              {VTK_QUADRATIC_LINEAR_QUAD, 6, 6},
+                              {VTK_QUADRATIC_LINEAR_WEDGE, 12, 12},
+                              {VTK_BIQUADRATIC_QUADRATIC_WEDGE, 18, 18},
+                              {VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, 24, 24},
+                              {VTK_BIQUADRATIC_TRIANGLE, 7, 7},
+                              {VTK_CUBIC_LINE, 4, 4},
+                              {VTK_QUADRATIC_POLYGON, 6, kAny},
+                              {VTK_TRIQUADRATIC_PYRAMID, 19, 19},
+                              {VTK_POLYHEDRON, 4, kAny}};
+    std::array<Corners, VTK_NUMBER_OF_CELL_TYPES> corners{};
+    for (const auto& [type, least, most] : all) corners[std::size_t(type)] = {least, most};
+    return corners;
+}();
+
 Corners cornersOf(int type)
 {
-    switch (type) {
-        case VTK_EMPTY_CELL:  // What VTK makes of the hidden cells of structured grids, with their corners.
-            return {0, -1};
-        case VTK_VERTEX:
-            return {1, 1};
-        case VTK_POLY_VERTEX:
-            return {1, -1};
-        case VTK_LINE:
-            return {2, 2};
-        case VTK_POLY_LINE:
-            return {2, -1};
-        case VTK_TRIANGLE:
-            return {3, 3};
-        case VTK_TRIANGLE_STRIP:
-        case VTK_POLYGON:
-            return {3, -1};
-        case VTK_PIXEL:
-        case VTK_QUAD:
-        case VTK_TETRA:
-            return {4, 4};
-        case VTK_VOXEL:
-        case VTK_HEXAHEDRON:
-            return {8, 8};
-        case VTK_WEDGE:
-            return {6, 6};
-        case VTK_PYRAMID:
-            return {5, 5};
-        case VTK_PENTAGONAL_PRISM:
-            return {10, 10};
-        case VTK_HEXAGONAL_PRISM:
-            return {12, 12};
-        case VTK_QUADRATIC_EDGE:
-            return {3, 3};
-        case VTK_QUADRATIC_TRIANGLE:
-            return {6, 6};
-        case VTK_QUADRATIC_QUAD:
-            return {8, 8};
-        case VTK_QUADRATIC_TETRA:
-            return {10, 10};
-        case VTK_QUADRATIC_HEXAHEDRON:
-            return {20, 20};
-        case VTK_QUADRATIC_WEDGE:
-            return {15, 15};
-        case VTK_QUADRATIC_PYRAMID:
-            return {13, 13};
-        case VTK_BIQUADRATIC_QUAD:
-            return {9, 9};
-        case VTK_TRIQUADRATIC_HEXAHEDRON:
-            return {27, 27};
-        case VTK_QUADRATIC_LINEAR_QUAD:
-            return {6, 6};
-        case VTK_QUADRATIC_LINEAR_WEDGE:
-            return {12, 12};
-        case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
-            return {18, 18};
-        case VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON:
-            return {24, 24};
-        case VTK_BIQUADRATIC_TRIANGLE:
-            return {7, 7};
-        case VTK_CUBIC_LINE:
-            return {4, 4};
-        case VTK_QUADRATIC_POLYGON:
-            return {6, -1};
-        case VTK_TRIQUADRATIC_PYRAMID:
-            return {19, 19};
-        case VTK_POLYHEDRON:
-            return {4, -1};
-        default:
-            return {};
-    }
+    return type >= 0 && type < int(kCorners.size()) ? kCorners[std::size_t(type)] : Corners{};
 }
 
 /// The faces of a polyhedron are their number, and for each the number of its corners and the corners.
@@ -222,6 +244,28 @@ void requireSoundSet(vtkDataSet& data, const std::string& path)
 }
 
 }  // namespace
+
+void requireSoundCells(vtkCellArray& cells, vtkIdType points, const std::string& where, std::string_view kind)
+{
+    if (cells.GetNumberOfCells() == 0) return;
+    const bool surely = cells.IsStorage64Bit()
+                            ? areSurelySound(*cells.GetOffsetsArray64(), *cells.GetConnectivityArray64(), points)
+                            : areSurelySound(*cells.GetOffsetsArray32(), *cells.GetConnectivityArray32(), points);
+    if (surely) return;
+    if (!cells.IsValid())
+        throw InputError(where, fmt::format("the corners of a {} do not begin where those before it end", kind),
+                         "cells one after the other");
+    requireCorners(cells, points, where, kind);
+}
+
+void requireSoundCells(vtkPolyData& polyData, const std::string& where)
+{
+    const vtkIdType points = polyData.GetNumberOfPoints();
+    requireSoundCells(*polyData.GetVerts(), points, where, "vertex");
+    requireSoundCells(*polyData.GetLines(), points, where, "line");
+    requireSoundCells(*polyData.GetPolys(), points, where, "polygon");
+    requireSoundCells(*polyData.GetStrips(), points, where, "strip");
+}
 
 unsigned char cellTypeOf(std::int64_t type, std::int64_t cell, const std::string& path)
 {

@@ -1,4 +1,4 @@
-#include "data/vtk/checks/sound_cells.h"
+#include "data/vtk/checks/cell_checks.h"
 
 #include <gtest/gtest.h>
 #include <vtkNew.h>

@@ -52,8 +52,7 @@ void GridData::takeArray(vtkDataSet& raw, const ArrayInfo& array)
                          fmt::format("array '{}' has {} values", array.name, source ? source->GetNumberOfTuples() : 0),
                          fmt::format("{}, one for each of the {}", tuples, array.onPoints ? "points" : "cells"));
     vtkSmartPointer<vtkFloatArray> values = toFloats(source);
-    auto* all = array.onPoints ? static_cast<vtkFieldData*>(raw.GetPointData()) : raw.GetCellData();
-    all->RemoveArray(array.name.c_str());  // Frees doubles at once; floats are shared.
+    attributesOf(raw, array.onPoints)->RemoveArray(array.name.c_str());  // Frees doubles at once; floats are shared.
     const auto mine = counted();
     const MaskResult result = maskInvalid(*values, raw, array.onPoints, mine ? &*mine : nullptr);
     tallies.push_back(result.tally(path, array));
@@ -76,17 +75,23 @@ void GridData::addMagnitude(const std::optional<ScalarChoice>& choice)
     maxMagnitude[choice->label()] = maxMagnitude[choice->array.name];
 }
 
+/// Arrays that were brought to the points.
+std::vector<vtkFloatArray*> GridData::fromCells() const
+{
+    std::vector<vtkFloatArray*> arrays;
+    for (const std::string& name : fromCells_)
+        arrays.push_back(vtkFloatArray::SafeDownCast(findArray(*set, name, true)));
+    return arrays;
+}
+
 PointMeans GridData::outerMeans() const
 {
     PointMeans means;
     if (fromCells_.empty()) return means;
     const std::vector<vtkIdType> outer = outerPoints(*structureOf(*set), path);
     const CountingCells counting = countingCells(*set);
-    std::vector<vtkFloatArray*> arrays;
-    for (const std::string& name : fromCells_) {
-        arrays.push_back(vtkFloatArray::SafeDownCast(set->GetPointData()->GetArray(name.c_str())));
-        means.width += std::uint32_t(arrays.back()->GetNumberOfComponents());
-    }
+    const std::vector<vtkFloatArray*> arrays = fromCells();
+    for (vtkFloatArray* array : arrays) means.width += std::uint32_t(array->GetNumberOfComponents());
     for (const vtkIdType point : outer) {
         glm::dvec3 place;
         set->GetPoint(point, &place.x);
@@ -105,9 +110,7 @@ PointMeans GridData::outerMeans() const
 void GridData::takeMeans(const PointMeans& means)
 {
     const float* value = means.values.data();
-    std::vector<vtkFloatArray*> arrays;
-    for (const std::string& name : fromCells_)
-        arrays.push_back(vtkFloatArray::SafeDownCast(set->GetPointData()->GetArray(name.c_str())));
+    const std::vector<vtkFloatArray*> arrays = fromCells();
     for (const std::uint32_t point : means.points)
         for (vtkFloatArray* array : arrays)
             for (int k = 0; k < array->GetNumberOfComponents(); ++k)

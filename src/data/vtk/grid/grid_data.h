@@ -56,6 +56,8 @@ private:
     void takeArray(vtkDataSet& raw, const ArrayInfo& array);
     void addMagnitude(const std::optional<ScalarChoice>& choice);
 
+    std::vector<vtkFloatArray*> fromCells() const;
+
     std::vector<std::string> fromCells_;  // Names of arrays that were brought to the points.
 };
 

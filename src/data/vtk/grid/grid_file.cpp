@@ -19,7 +19,6 @@
 #include "data/vtk/grid/volume_blocks.h"
 #include "data/vtk/joined_arrays.h"
 #include "data/vtk/memory/memory_arrays.h"
-#include "data/vtk/memory/memory_grid.h"
 #include "data/vtk/memory/memory_volume.h"
 #include "data/vtk/surface/cut.h"
 #include "data/vtk/surface/isosurface.h"
@@ -44,59 +43,61 @@ LoadedSurface meshOfCut(vtkPolyData& polygons, const SurfaceSpec& spec, const st
     return surface;
 }
 
-void GridFile::State::choose(const std::vector<ArrayInfo>& available, const GridRequest& request)
+void GridFile::State::choose(const std::vector<ArrayInfo>& available)
 {
-    names = listArrays(available);
-    offered = offeredArrays(available);
     arrays = chooseArrays(available, request, grid.path);
+    facts.name = grid.path;
+    facts.arrays = listArrays(available);
+    facts.offered = offeredArrays(available);
+    facts.vectorsName = arrays.vectors.name;
+    facts.hasScalar = arrays.scalar.has_value();
+    facts.ofVectors = arrays.partOfVectors();
+    if (arrays.scalar) facts.scalarName = arrays.scalar->label();
 }
 
 /// The data, or, of a structured grid that hides cells, those that it shows. A uniform grid stays one where only points
 /// are hidden and nothing is cut out of it: its samples there are masked.
-vtkSmartPointer<vtkDataSet> GridFile::State::withoutHidden(vtkDataSet& data, bool cutsOut) const
+vtkSmartPointer<vtkDataSet> GridFile::State::withoutHidden(vtkDataSet& data) const
 {
     if (data.GetDataObjectType() == VTK_UNSTRUCTURED_GRID) return &data;
     const HiddenParts hidden = hiddenPartsOf(data);
     if (!hidden.cells && !hidden.points) return &data;
-    if (!hidden.cells && !cutsOut && asUniform(data, grid.path)) return &data;
+    if (!hidden.cells && !request.cutsOut && asUniform(data, grid.path)) return &data;
     if (grid.piece) throw InputError(grid.path, "it hides cells (vtkGhostType)", "one without, or --bricks off");
     vtkSmartPointer<vtkDataSet> shown = shownCells(data, grid.path);
     if (shown->GetNumberOfCells() == 0) throw InputError(grid.path, "it hides all of its cells", "a grid with cells");
     return shown;
 }
 
-void GridFile::State::makeVectors(vtkDataSet& data) const
+GridFile::GridFile(const std::string& path, const GridRequest& request) : state_(std::make_unique<State>())
 {
-    aeolic::makeVectors(data, arrays.all(), &arrays.vectors, grid.path);
+    state_->request = request;
+    state_->grid.path = path;
 }
 
 GridFile::GridFile(const std::string& path, const GridRequest& request, const FieldPart& part,
                    const ProgressReport& progress)
-    : state_(std::make_unique<State>())
+    : GridFile(path, request)
 {
-    state_->grid.path = path;
-    state_->colorBy = request.colorBy;
     FileReader reader(path, FileReader::Use::field, request.timeInFile);
-    state_->timeSteps = reader.timeSteps();
+    state_->facts.timeSteps = reader.timeSteps();
     if (request.lookUp) reader.keepPolyhedra();
     reader.keepParts(request.parts);
     reader.requireAtTime(request.arrays());
     if (reader.announcesArrays()) {
-        state_->choose(reader.announcedArrays(), request);
+        state_->choose(reader.announcedArrays());
         reader.keepOnly(state_->arrays.all());
     }
     if (part.split()) {
         state_->grid.piece = reader.keepBrick(part, !request.contours.empty());
         requirePoints(state_->arrays.all(), path);
     }
-    state_->wantsHalves = request.halves;
-    state_->ranksOnHost = request.ranksOnHost;
     if (request.otherFiles.empty() && state_->canReadHalves(reader)) {
         state_->readHalves(reader, progress);
         return;
     }
     vtkSmartPointer<vtkDataObject> object = reader.read(progress, "reading the field");
-    if (!request.otherFiles.empty()) object = state_->withOthers(*object, request, progress);
+    if (!request.otherFiles.empty()) object = state_->withOthers(*object, progress);
     vtkSmartPointer<vtkDataSet> raw = vtkDataSet::SafeDownCast(object);
     if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(object)) raw = volumeOf(*blocks, path);
     if (!raw || raw->GetDataObjectType() == VTK_POLY_DATA)
@@ -104,34 +105,29 @@ GridFile::GridFile(const std::string& path, const GridRequest& request, const Fi
     GridData& grid = state_->grid;
     if (!grid.piece) raw = straightened(*raw, path);
     if (!grid.piece || !grid.piece->brick.empty()) checkStructure(*raw, path);
-    raw = state_->withoutHidden(*raw, request.cutsOut);
-    if (!reader.announcesArrays()) state_->choose(withJoined(arraysOf(*raw)), request);
-    state_->makeVectors(*raw);
+    raw = state_->withoutHidden(*raw);
+    if (!reader.announcesArrays()) state_->choose(withJoined(arraysOf(*raw)));
+    makeVectors(*raw, state_->arrays.all(), &state_->arrays.vectors, path);
     grid.take(*raw, state_->arrays);
     grid.addMagnitudes(state_->arrays);
     if (const auto image = asUniform(*grid.set, path)) grid.set = image;
 }
 
-GridFile::GridFile(const Grid& memory, const std::string& name, const GridRequest& request)
-    : state_(std::make_unique<State>())
+GridFile::GridFile(const Grid& memory, const std::string& name, const GridRequest& request) : GridFile(name, request)
 {
-    state_->grid.path = name;
-    state_->take(*imageFromMemory(memory, name), request);
+    state_->take(*imageFromMemory(memory, name));
     for (const auto* arrays : {&memory.pointArrays, &memory.cellArrays})
         for (const NamedArray& array : *arrays) state_->owners.push_back(array.values.owner);
     if (const auto uniform = asUniform(*state_->grid.set, name)) state_->grid.set = uniform;
 }
 
-GridFile::GridFile(const Volume& memory, const std::string& name, const GridRequest& request)
-    : state_(std::make_unique<State>())
+GridFile::GridFile(const Volume& memory, const std::string& name, const GridRequest& request) : GridFile(name, request)
 {
-    state_->grid.path = name;
-    state_->take(*cellsFromMemory(memory, name), request);
+    state_->take(*cellsFromMemory(memory, name));
 }
 
 /// All parts of a volume as blocks, each with the arrays that are needed. `first`: that of the file itself.
-vtkSmartPointer<vtkDataObject> GridFile::State::withOthers(vtkDataObject& first, const GridRequest& request,
-                                                           const ProgressReport& progress)
+vtkSmartPointer<vtkDataObject> GridFile::State::withOthers(vtkDataObject& first, const ProgressReport& progress) const
 {
     auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
     blocks->SetBlock(0, &first);
@@ -145,15 +141,12 @@ vtkSmartPointer<vtkDataObject> GridFile::State::withOthers(vtkDataObject& first,
 }
 
 /// A data set whose arrays may be the caller's.
-void GridFile::State::take(vtkDataSet& data, const GridRequest& request)
+void GridFile::State::take(vtkDataSet& data)
 {
-    colorBy = request.colorBy;
-    wantsHalves = request.halves;
-    ranksOnHost = request.ranksOnHost;
     checkStructure(data, grid.path);
-    const vtkSmartPointer<vtkDataSet> shown = withoutHidden(data, request.cutsOut);
-    choose(withJoined(arraysOf(*shown)), request);
-    makeVectors(*shown);
+    const vtkSmartPointer<vtkDataSet> shown = withoutHidden(data);
+    choose(withJoined(arraysOf(*shown)));
+    makeVectors(*shown, arrays.all(), &arrays.vectors, grid.path);
     borrowed = takeCopies(*shown, arrays.all(), request.halves);  // The vectors come first.
     grid.take(*shown, arrays);
     grid.addMagnitudes(arrays);
@@ -171,9 +164,8 @@ bool GridFile::State::canReadHalves(FileReader& reader) const
     if (reader.announcesArrays() && std::any_of(available.begin(), available.end(), hides)) return false;
     const glm::dvec3 spacing = reader.imageSpacing();
     if (!(std::min({spacing.x, spacing.y, spacing.z}) > 0)) return false;
-    return wantsHalves && reader.announcesArrays() && arrays.all().size() == 1 && arrays.vectors.onPoints &&
-           arrays.contours.empty() && arrays.vectors.of.empty() &&
-           (!arrays.scalar || arrays.partOfVectors() != ArrayPart::whole) && arrays.vectors.components == 3 &&
+    return request.halves && reader.announcesArrays() && arrays.all().size() == 1 && arrays.vectors.onPoints &&
+           arrays.contours.empty() && arrays.vectors.of.empty() && !hasOwnScalar() && arrays.vectors.components == 3 &&
            *std::min_element(dims.begin(), dims.end()) >= 2 && dims[0] * dims[1] * dims[2] >= worthwhile;
 }
 
@@ -203,7 +195,7 @@ SurfaceArrays GridFile::State::cutArrays(const CutArrays& wanted) const
 {
     // On the points of the cut stands what stood on the cells, too.
     const std::string scalar =
-        arrays.scalar ? arrays.scalar->array.name + std::string(suffixOf(arrays.scalar->part)) : colorBy;
+        arrays.scalar ? arrays.scalar->array.name + std::string(suffixOf(arrays.scalar->part)) : request.colorBy;
     return {wanted.vectors, arrays.vectors.name, wanted.scalar ? scalar : std::string()};
 }
 
@@ -223,7 +215,7 @@ LoadedSurface GridFile::State::uniformIsosurface(const SurfaceSpec& spec)
     surface.cutRange = {range[0], range[1]};
     const Brick all{{0, 0, 0}, {scalar.dims[0] - 1, scalar.dims[1] - 1, scalar.dims[2] - 1}};
     const Brick& cells = piece ? piece->own : all;
-    requireRoomFor(spec, grid.path, isosurfaceSize(scalar, cells, spec.value), ranksOnHost);
+    requireRoomFor(spec, grid.path, isosurfaceSize(scalar, cells, spec.value), request.ranksOnHost);
     surface.mesh = isosurface(scalar, cells, spec.value);
     surface.topology = 1;  // Equal only where the places are equal too: withPlaces().
     if (piece) return surface;
@@ -253,7 +245,7 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, const CutArrays& wanted, co
         vtkDataSet& data = *whole;
         const std::string contour = state_->contourArray(spec);
         const CutOutline all = outlineOfCut(data, spec, contour);
-        requireCut(all, spec, grid.path, state_->ranksOnHost);
+        requireCut(all, spec, grid.path, state_->request.ranksOnHost);
         const std::vector<char> shells = wanted.ofShells ? shellCells(data) : std::vector<char>();
         const auto polygons = shells.empty() ? cutSurface(data, spec, contour, grid.path, all)
                                              : boundaryWithShells(data, shells, grid.path);
@@ -269,8 +261,8 @@ LoadedSurface GridFile::cut(const SurfaceSpec& spec, const CutArrays& wanted, co
     // Slices and isosurfaces of a grid that moves, or of other values, may have as many triangles by chance.
     if (passesThroughCells(spec)) surface.topology = withPlaces(surface.topology, surface.mesh);
     surface.mesh.name = spec.text;
-    surface.arrays = state_->names;
-    surface.offered = state_->offered;
+    surface.arrays = state_->facts.arrays;
+    surface.offered = state_->facts.offered;
     progress("cutting the surface out", 1);
     return surface;
 }
@@ -294,10 +286,10 @@ std::shared_ptr<const CellVolume> GridFile::takeCells()
         throw InputError(
             grid.path, fmt::format("the data is flat: none of its {} cells has a volume", grid.set->GetNumberOfCells()),
             "a 3D field to sample, or --surface boundary to draw the flat data itself");
-    const bool ownScalar = hasScalar() && partOfVectors() == ArrayPart::whole;
-    const std::string& name = state_->arrays.vectors.name;
+    const std::string& name = state_->facts.vectorsName;
     const auto vectors = grid.release(name);
-    const auto scalars = ownScalar ? grid.release(scalarLabel()) : vtkSmartPointer<vtkFloatArray>();
+    const auto scalars =
+        state_->hasOwnScalar() ? grid.release(state_->facts.scalarName) : vtkSmartPointer<vtkFloatArray>();
     auto cells = std::make_shared<GridVolume>(std::move(grid.set), vectors, scalars, grid.path);
     cells->longest = grid.maxMagnitude[name];
     cells->areMeans = !state_->arrays.vectors.onPoints;
@@ -308,7 +300,7 @@ GridField GridFile::takeVectors()
 {
     State& s = *state_;
     GridData& grid = s.grid;
-    const std::string& name = s.arrays.vectors.name;
+    const std::string& name = s.facts.vectorsName;
     GridField field = gridStructure(*grid.image(), grid.piece);
     field.name = name;
     field.maxMagnitude = grid.maxMagnitude[name];
@@ -322,7 +314,7 @@ GridField GridFile::takeVectors()
         auto values = grid.release(name);
         setSamples(field, values);
         s.keepOwners(field);
-        if (!s.wantsHalves) return field;
+        if (!s.request.halves) return field;
         const auto mine = grid.counted();
         if (field.maxMagnitude > kLargestHalf) halves.found = countBeyondHalves(*values, mine ? &*mine : nullptr);
         makeHalf(field, values);
@@ -333,9 +325,9 @@ GridField GridFile::takeVectors()
 
 std::optional<GridField> GridFile::takeScalar()
 {
-    if (!hasScalar() || partOfVectors() != ArrayPart::whole) return std::nullopt;
+    if (!state_->hasOwnScalar()) return std::nullopt;
     GridData& grid = state_->grid;
-    const std::string name = scalarLabel();
+    const std::string& name = state_->facts.scalarName;
     GridField field = gridStructure(*grid.image(), grid.piece);
     field.name = name;
     field.maxMagnitude = grid.maxMagnitude[name];
@@ -344,44 +336,14 @@ std::optional<GridField> GridFile::takeScalar()
     return field;
 }
 
-bool GridFile::hasScalar() const
-{
-    return state_->arrays.scalar.has_value();
-}
-
 bool GridFile::vectorsAreBorrowed() const
 {
     return state_->borrowed;
 }
 
-ArrayPart GridFile::partOfVectors() const
+const FieldFacts& GridFile::facts() const
 {
-    return state_->arrays.partOfVectors();
-}
-
-std::string GridFile::vectorsName() const
-{
-    return state_->arrays.vectors.name;
-}
-
-std::string GridFile::scalarLabel() const
-{
-    return hasScalar() ? state_->arrays.scalar->label() : "";
-}
-
-ArrayChoices GridFile::offered() const
-{
-    return state_->offered;
-}
-
-std::string GridFile::arrays() const
-{
-    return state_->names;
-}
-
-const std::vector<double>& GridFile::timeSteps() const
-{
-    return state_->timeSteps;
+    return state_->facts;
 }
 
 const std::vector<Tally>& GridFile::tallies() const

@@ -8,6 +8,7 @@
 #include "aeolic/data.h"
 #include "data/cells/cell_volume.h"
 #include "data/cells/point_means.h"
+#include "data/field_facts.h"
 #include "data/loaded_surface.h"
 #include "data/piece_run.h"
 #include "data/progress.h"
@@ -82,17 +83,11 @@ public:
     /// The scalar to colour by, unless there is none or it is a part of the vectors. To be called once.
     std::optional<GridField> takeScalar();
 
-    bool hasScalar() const;
-    ArrayPart partOfVectors() const;  ///< GridArrays::partOfVectors()
-    std::string vectorsName() const;
-    std::string scalarLabel() const;
-    std::string arrays() const;                    ///< What arrays the file has, for messages.
-    ArrayChoices offered() const;                  ///< What arrays the file has, to choose from.
-    const std::vector<Tally>& tallies() const;     ///< Counts so far; a brick counts its own samples.
-    const std::vector<double>& timeSteps() const;  ///< Those that the file says it holds.
+    const FieldFacts& facts() const;            ///< Without tallies.
+    const std::vector<Tally>& tallies() const;  ///< Counts so far; a brick counts its own samples.
 
 private:
-    GridFile();
+    GridFile(const std::string& path, const GridRequest& request);
     struct State;
     std::unique_ptr<State> state_;
 };

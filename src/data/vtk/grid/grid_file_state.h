@@ -17,24 +17,20 @@ namespace aeolic {
 
 /// What a GridFile holds: all of a data set (grid_file.cpp), or a piece (grid_pieces.cpp).
 struct GridFile::State {
-    std::string names;  // All arrays there are.
-    ArrayChoices offered;
+    GridRequest request;
+    FieldFacts facts;
     GridArrays arrays;
-    std::string colorBy;
     GridData grid;
-    std::vector<double> timeSteps;
-    bool wantsHalves = false;
-    int ranksOnHost = 1;
     bool borrowed = false;                            // The vectors are the caller's memory …
     std::vector<std::shared_ptr<const void>> owners;  // … which these keep.
     std::optional<HalfVectors> halves;                // Where vectors were read as halves: `grid` then has no arrays.
 
-    void choose(const std::vector<ArrayInfo>& available, const GridRequest& request);
-    vtkSmartPointer<vtkDataSet> withoutHidden(vtkDataSet& data, bool cutsOut) const;
-    void makeVectors(vtkDataSet& data) const;
-    void take(vtkDataSet& data, const GridRequest& request);
-    vtkSmartPointer<vtkDataObject> withOthers(vtkDataObject& first, const GridRequest& request,
-                                              const ProgressReport& progress);
+    /// The scalar to colour by stands in an array of its own.
+    bool hasOwnScalar() const { return facts.hasScalar && facts.ofVectors == ArrayPart::whole; }
+    void choose(const std::vector<ArrayInfo>& available);
+    vtkSmartPointer<vtkDataSet> withoutHidden(vtkDataSet& data) const;
+    void take(vtkDataSet& data);
+    vtkSmartPointer<vtkDataObject> withOthers(vtkDataObject& first, const ProgressReport& progress) const;
     bool canReadHalves(FileReader& reader) const;
     void readHalves(FileReader& reader, const ProgressReport& progress);
     void keepOwners(GridField& field) const;

@@ -4,12 +4,11 @@
 #include "aeolic/error.h"
 #include "data/vtk/data_kind.h"
 #include "data/vtk/grid/grid_file_state.h"
+#include "data/vtk/joined_arrays.h"
 #include "data/vtk/surface/cut.h"
 #include "data/vtk/surface/polydata_mesh.h"
 
 namespace aeolic {
-
-GridFile::GridFile() : state_(std::make_unique<State>()) {}
 
 namespace {
 
@@ -62,23 +61,19 @@ std::vector<std::shared_ptr<GridFile>> GridFile::readPieces(const std::string& p
 {
     PieceReader reader(path, request);
     State common;
+    common.request = request;
     common.grid.path = path;
-    common.timeSteps = reader.first().timeSteps();
-    common.choose(reader.first().announcedArrays(), request);
+    common.facts.timeSteps = reader.first().timeSteps();
+    common.choose(reader.first().announcedArrays());
     reader.keepOnly(common.arrays.all());
 
     std::vector<std::shared_ptr<GridFile>> pieces;
     for (int number = run.begin; number < run.end; ++number) {
         progress("reading the field", double(number - run.begin) / (run.end - run.begin));
-        const std::shared_ptr<GridFile> piece(new GridFile);
+        const std::shared_ptr<GridFile> piece(new GridFile(path, request));
         State& state = *piece->state_;
-        state.names = common.names;
-        state.offered = common.offered;
+        state.facts = common.facts;
         state.arrays = common.arrays;
-        state.colorBy = request.colorBy;
-        state.timeSteps = common.timeSteps;
-        state.ranksOnHost = request.ranksOnHost;
-        state.grid.path = path;
         const auto object = reader.read(number);
         auto* cells = vtkUnstructuredGrid::SafeDownCast(object);
         if (!cells) throw InputError(reader.path(), "it holds " + kindOf(*object), "pieces of cells");
@@ -86,7 +81,7 @@ std::vector<std::shared_ptr<GridFile>> GridFile::readPieces(const std::string& p
             state.grid.set = vtkSmartPointer<vtkUnstructuredGrid>::New();
         } else {
             checkStructure(*cells, reader.path());
-            state.makeVectors(*cells);
+            makeVectors(*cells, state.arrays.all(), &state.arrays.vectors, path);
             for (const ArrayInfo& array : state.arrays.all())
                 if (!findArray(*cells, array.name, array.onPoints))
                     throw InputError(

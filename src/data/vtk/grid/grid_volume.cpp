@@ -21,7 +21,6 @@
 #include "base/large_memory.h"
 #include "base/memory.h"
 #include "data/vtk/grid/cell_means.h"
-#include "data/vtk/grid/near_cells.h"
 
 namespace aeolic {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "data/cells/cell_volume.h"
-#include "data/vtk/grid/cell_boxes.h"
+#include "data/vtk/grid/near_cells.h"
 
 namespace aeolic {
 

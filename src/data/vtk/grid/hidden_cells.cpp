@@ -10,14 +10,15 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
-#include <vtkPoints.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 
 #include "base/memory.h"
+#include "data/vtk/arrays.h"
 #include "data/vtk/grid/cell_means.h"
+#include "data/vtk/surface/near_origin.h"
 
 namespace aeolic {
 namespace {
@@ -79,20 +80,6 @@ int cellTypeOf(vtkDataSet& data)
     }
 }
 
-vtkSmartPointer<vtkPoints> pointsOf(vtkDataSet& data)
-{
-    if (auto* set = vtkPointSet::SafeDownCast(&data)) return set->GetPoints();
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(data.GetNumberOfPoints());
-    for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
-        double p[3];
-        data.GetPoint(i, p);
-        points->SetPoint(i, p);
-    }
-    return points;
-}
-
 }  // namespace
 
 HiddenParts hiddenPartsOf(vtkDataSet& data)
@@ -117,13 +104,11 @@ vtkSmartPointer<vtkUnstructuredGrid> shownCells(vtkDataSet& data, const std::str
         sources->InsertNextId(cell);
     }
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    grid->SetPoints(pointsOf(data));
+    auto* set = vtkPointSet::SafeDownCast(&data);
+    grid->SetPoints(set ? set->GetPoints() : pointsLess(data, glm::dvec3(0)).Get());
     grid->SetCells(cellTypeOf(data), shown);
     grid->GetPointData()->ShallowCopy(data.GetPointData());
-    grid->GetCellData()->CopyAllOn();
-    grid->GetCellData()->CopyAllocate(data.GetCellData(), sources->GetNumberOfIds());
-    for (vtkIdType cell = 0; cell < sources->GetNumberOfIds(); ++cell)
-        grid->GetCellData()->CopyData(data.GetCellData(), sources->GetId(cell), cell);
+    takeTuples(*data.GetCellData(), *sources, *grid->GetCellData());
     return grid;
 }
 

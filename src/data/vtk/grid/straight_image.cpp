@@ -13,11 +13,11 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "base/memory.h"
+#include "data/vtk/arrays.h"
 
 namespace aeolic {
 namespace {
@@ -83,17 +83,13 @@ void reorder(vtkDataSetAttributes& from, vtkDataSetAttributes& to, const std::ar
         if (turn.isDown[c]) begin += step * (dims[c] - 1);
         step *= dims[c];
     }
-    vtkNew<vtkIdList> sources, targets;
+    vtkNew<vtkIdList> sources;
     sources->SetNumberOfIds(step);
-    targets->SetNumberOfIds(step);
-    std::iota(targets->begin(), targets->end(), vtkIdType(0));
     vtkIdType* next = sources->begin();
     for (vtkIdType z = 0; z < straight[2]; ++z)
         for (vtkIdType y = 0; y < straight[1]; ++y)
             for (vtkIdType x = 0; x < straight[0]; ++x) *next++ = begin + x * steps[0] + y * steps[1] + z * steps[2];
-    to.CopyAllOn();
-    to.CopyAllocate(&from, step);
-    to.CopyData(&from, sources, targets);
+    takeTuples(from, *sources, to);
 }
 
 std::array<int, 3> cellDims(const std::array<int, 3>& dims)

@@ -1,7 +1,7 @@
 #include "data/vtk/grid/uniform_grid.h"
 
 #include <fmt/format.h>
-#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -96,13 +96,9 @@ double defaultSpacing(const double size[3], vtkIdType points)
 struct ProbeProgress {
     vtkAlgorithm* algorithm;
     ProgressReport report;
-};
 
-void forwardProbeProgress(vtkObject*, unsigned long, void* client, void*)
-{
-    const auto* target = static_cast<ProbeProgress*>(client);
-    target->report("resampling the field", target->algorithm->GetProgress());
-}
+    void tell() { report("resampling the field", algorithm->GetProgress()); }
+};
 
 }  // namespace
 
@@ -150,10 +146,7 @@ vtkSmartPointer<vtkImageData> resampleToUniform(vtkDataSet& data, std::optional<
     probe->SetInputData(grid);
     probe->SetSourceData(&data);
     ProbeProgress target{probe, progress};
-    vtkNew<vtkCallbackCommand> observer;
-    observer->SetCallback(forwardProbeProgress);
-    observer->SetClientData(&target);
-    probe->AddObserver(vtkCommand::ProgressEvent, observer);
+    probe->AddObserver(vtkCommand::ProgressEvent, &target, &ProbeProgress::tell);
     const VtkMessages messages;
     probe->Update();
     if (messages.failed()) throw InputError(where, "resampling failed (" + messages.firstError() + ")", "sound cells");

@@ -1,9 +1,7 @@
 #include "data/vtk/grid/volume_blocks.h"
 
 #include <vtkAppendFilter.h>
-#include <vtkCellData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
+#include "data/vtk/arrays.h"
 #include "data/vtk/grid/cell_means.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/blocks.h"
@@ -24,11 +23,7 @@ namespace {
 void shareFlags(const std::vector<vtkDataSet*>& volumes, bool onPoints)
 {
     const char* const name = vtkDataSetAttributes::GhostArrayName();
-    const auto attributesOf = [&](vtkDataSet& data) -> vtkDataSetAttributes* {
-        if (onPoints) return data.GetPointData();
-        return data.GetCellData();
-    };
-    const auto has = [&](vtkDataSet* data) { return attributesOf(*data)->GetArray(name) != nullptr; };
+    const auto has = [&](vtkDataSet* data) { return findArray(*data, name, onPoints) != nullptr; };
     if (std::none_of(volumes.begin(), volumes.end(), has)) return;
     for (vtkDataSet* volume : volumes) {
         if (has(volume)) continue;
@@ -36,7 +31,7 @@ void shareFlags(const std::vector<vtkDataSet*>& volumes, bool onPoints)
         none->SetName(name);
         none->SetNumberOfValues(onPoints ? volume->GetNumberOfPoints() : volume->GetNumberOfCells());
         none->FillValue(0);
-        attributesOf(*volume)->AddArray(none);
+        attributesOf(*volume, onPoints)->AddArray(none);
     }
 }
 

@@ -1,9 +1,7 @@
 #include "data/vtk/memory/memory_arrays.h"
 
 #include <fmt/format.h>
-#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
-#include <vtkPointData.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkTypeUInt32Array.h>
@@ -183,7 +181,7 @@ vtkSmartPointer<vtkCellArray> wrappedCells(const ArrayView& offsets, const Array
 
 void addArrays(vtkDataSet& data, const std::vector<NamedArray>& arrays, bool onPoints, const std::string& where)
 {
-    vtkDataSetAttributes* all = onPoints ? static_cast<vtkDataSetAttributes*>(data.GetPointData()) : data.GetCellData();
+    vtkDataSetAttributes* all = attributesOf(data, onPoints);
     for (const NamedArray& array : arrays) {
         if (array.name.empty()) throw InputError(where, "an array without a name", "a name for each array");
         if (all->HasArray(array.name.c_str()))
@@ -209,8 +207,7 @@ bool takeCopies(vtkDataSet& data, const std::vector<ArrayInfo>& arrays, bool alw
         if (!copy) continue;
         auto own = vtkSmartPointer<vtkFloatArray>::New();
         own->DeepCopy(floats);
-        vtkFieldData* all = array.onPoints ? static_cast<vtkFieldData*>(data.GetPointData()) : data.GetCellData();
-        all->AddArray(own);  // In the place of the one of the same name.
+        attributesOf(data, array.onPoints)->AddArray(own);  // In the place of the one of the same name.
     }
     return firstIsCallers;
 }

@@ -1,9 +1,7 @@
 #include "data/vtk/memory/memory_surface.h"
 
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include "aeolic/error.h"
@@ -55,17 +53,15 @@ LoadedSurface surfaceFromMemory(const Surface& surface, const std::string& name,
 
     vtkNew<vtkPolyData> polyData;  // Arrays that nobody wants would be copied with the polygons that are cut up.
     polyData->CopyStructure(given);
-    const auto arraysOn = [&](bool points) {
-        return points ? static_cast<vtkDataSetAttributes*>(polyData->GetPointData()) : polyData->GetCellData();
-    };
     for (const ArrayInfo& array : kept) {
-        arraysOn(array.onPoints)->AddArray(findArray(*given, array.name, array.onPoints));
-        if (array.activeNormals) arraysOn(array.onPoints)->SetActiveNormals(array.name.c_str());
+        vtkDataSetAttributes* all = attributesOf(*polyData, array.onPoints);
+        all->AddArray(findArray(*given, array.name, array.onPoints));
+        if (array.activeNormals) all->SetActiveNormals(array.name.c_str());
     }
     SurfaceArrays chosen = wanted;
     if (wanted.wantVectors) {  // A name alone may be that of two arrays.
         chosen.vectors.clear();
-        arraysOn(written.front().onPoints)->SetActiveVectors(written.front().name.c_str());
+        attributesOf(*polyData, written.front().onPoints)->SetActiveVectors(written.front().name.c_str());
     }
     LoadedSurface loaded = meshFromPolyData(*polyData, name, chosen);
     loaded.arrays = listArrays(there);

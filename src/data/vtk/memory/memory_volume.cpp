@@ -39,22 +39,31 @@ vtkSmartPointer<vtkUnsignedCharArray> typesOf(const Volume& volume, vtkIdType ce
     return types;
 }
 
-std::string dimsText(const Volume& volume)
+using Dims = std::array<std::int64_t, 3>;
+
+std::string dimsText(const Dims& dims)
 {
-    return fmt::format("{} x {} x {}", volume.dims[0], volume.dims[1], volume.dims[2]);
+    return fmt::format("{} x {} x {}", dims[0], dims[1], dims[2]);
+}
+
+/// `what`: there are so many of.
+std::array<int, 3> checkedDims(const Dims& dims, const char* what, const std::string& name)
+{
+    double all = 1;
+    for (const std::int64_t count : dims) all *= double(count);
+    for (const std::int64_t count : dims)
+        if (count < 0 || count > std::numeric_limits<int>::max() || all > 1e15)
+            throw InputError(name, fmt::format("{} {}", dimsText(dims), what), "how many there are in x, y and z");
+    return {int(dims[0]), int(dims[1]), int(dims[2])};
 }
 
 std::array<int, 3> dimsOf(const Volume& volume, const std::string& name)
 {
-    double points = 1;
-    for (const std::int64_t count : volume.dims) points *= double(count);
-    for (const std::int64_t count : volume.dims)
-        if (count < 0 || count > std::numeric_limits<int>::max() || points > 1e15)
-            throw InputError(name, dimsText(volume) + " points", "how many there are in x, y and z");
+    const auto dims = checkedDims(volume.dims, "points", name);
     if (volume.types.count != 0 || volume.offsets.count != 0 || volume.connectivity.count != 0 ||
         volume.faces.count != 0 || volume.faceLocations.count != 0)
         throw InputError(name, "dims together with cells", "one or the other");
-    return {int(volume.dims[0]), int(volume.dims[1]), int(volume.dims[2])};
+    return dims;
 }
 
 vtkSmartPointer<vtkDataSet> structuredGrid(const Volume& volume, const std::string& name)
@@ -63,9 +72,9 @@ vtkSmartPointer<vtkDataSet> structuredGrid(const Volume& volume, const std::stri
     const std::int64_t count = volume.dims[0] * volume.dims[1] * volume.dims[2];
     if (volume.points.count != count)
         throw InputError(name, fmt::format("{} points", volume.points.count),
-                         fmt::format("{}, which are {}", count, dimsText(volume)));
+                         fmt::format("{}, which are {}", count, dimsText(volume.dims)));
     auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
-    grid->SetDimensions(dims[0], dims[1], dims[2]);
+    grid->SetDimensions(dims.data());
     grid->SetPoints(wrappedPoints(volume.points, name + ": points"));
     return grid;
 }
@@ -75,14 +84,14 @@ vtkSmartPointer<vtkDataSet> rectilinearGrid(const Volume& volume, const std::str
     const auto dims = dimsOf(volume, name);
     if (volume.points.count != 0) throw InputError(name, "axes together with points", "one or the other");
     auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
-    grid->SetDimensions(dims[0], dims[1], dims[2]);
+    grid->SetDimensions(dims.data());
     vtkSmartPointer<vtkDataArray> axes[3];
     for (std::size_t c = 0; c < 3; ++c) {
         const std::string where = fmt::format("{}: coordinates along {}", name, "xyz"[c]);
         requireComponents(volume.axes[c], 1, where);
         if (volume.axes[c].count != volume.dims[c])
             throw InputError(where, fmt::format("{} values", volume.axes[c].count),
-                             fmt::format("{}, for {} points", volume.dims[c], dimsText(volume)));
+                             fmt::format("{}, for {} points", volume.dims[c], dimsText(volume.dims)));
         axes[c] = wrapped(volume.axes[c], where);
     }
     grid->SetXCoordinates(axes[0]);
@@ -111,6 +120,18 @@ vtkSmartPointer<vtkDataSet> unstructuredGrid(const Volume& volume, const std::st
 }
 
 }  // namespace
+
+vtkSmartPointer<vtkImageData> imageFromMemory(const Grid& grid, const std::string& name)
+{
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(checkedDims(grid.dims, "samples", name).data());
+    image->SetOrigin(grid.origin.data());
+    image->SetSpacing(grid.spacing.data());
+    addArrays(*image, grid.pointArrays, true, name);
+    addArrays(*image, grid.cellArrays, false, name);
+    requireSoundData(*image, name);
+    return image;
+}
 
 vtkSmartPointer<vtkDataSet> cellsFromMemory(const Volume& volume, const std::string& name)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkDataSet.h>
+#include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
 #include <string>
@@ -9,8 +10,11 @@
 
 namespace aeolic {
 
-/// The caller's volume as VTK's unstructured, structured or rectilinear grid, whose arrays are the caller's memory
-/// where they can be (memory_arrays.h). Messages begin with `name`. Throws InputError.
+/// The caller's grid as image data, whose arrays are the caller's memory where they can be (memory_arrays.h). Messages
+/// begin with `name`. Throws InputError.
+vtkSmartPointer<vtkImageData> imageFromMemory(const Grid& grid, const std::string& name);
+
+/// The caller's volume as VTK's unstructured, structured or rectilinear grid, likewise.
 vtkSmartPointer<vtkDataSet> cellsFromMemory(const Volume& volume, const std::string& name);
 
 }  // namespace aeolic

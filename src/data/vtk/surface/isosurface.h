@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "data/mesh/surface_mesh.h"
 #include "data/vector_field.h"
-#include "data/vtk/surface/marching_cubes.h"
 #include "description/surface_spec.h"
 
 namespace aeolic {
@@ -22,6 +22,17 @@ namespace aeolic {
 ///
 /// `scalar`: floats of one component. Cost: a few passes over the cells' samples, parallel.
 SurfaceMesh isosurface(const GridField& scalar, const Brick& cells, double value);
+
+/// How large an isosurface is.
+struct IsosurfaceSize {
+    std::uint64_t points = 0, triangles = 0;
+    /// What extracting it takes: layers and the mesh that is made of them lie in memory together.
+    std::uint64_t bytes() const
+    {
+        return 2 * (points * 2 * sizeof(glm::vec3) +
+                    triangles * (sizeof(std::array<std::uint32_t, 3>) + sizeof(std::uint64_t)));
+    }
+};
 
 /// How large isosurface() would be. Cost: one pass over the cells' samples, parallel, and hardly any memory.
 IsosurfaceSize isosurfaceSize(const GridField& scalar, const Brick& cells, double value);

@@ -4,7 +4,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkPointSet.h>
-#include <vtkPoints.h>
 #include <vtkRectilinearGrid.h>
 
 namespace aeolic {
@@ -18,21 +17,20 @@ vtkSmartPointer<vtkDataArray> lessBy(vtkDataArray& axis, double by)
     return less;
 }
 
-/// The points of `from`, less `by`.
-vtkSmartPointer<vtkPoints> moved(vtkDataSet& from, const glm::dvec3& by)
+}  // namespace
+
+vtkSmartPointer<vtkPoints> pointsLess(vtkDataSet& data, const glm::dvec3& by)
 {
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(from.GetNumberOfPoints());
+    points->SetNumberOfPoints(data.GetNumberOfPoints());
     double p[3];
-    for (vtkIdType i = 0; i < from.GetNumberOfPoints(); ++i) {
-        from.GetPoint(i, p);
+    for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
+        data.GetPoint(i, p);
         points->SetPoint(i, p[0] - by.x, p[1] - by.y, p[2] - by.z);
     }
     return points;
 }
-
-}  // namespace
 
 NearOrigin nearOrigin(vtkDataSet& data, const Bounds& boundsWorld)
 {
@@ -55,7 +53,7 @@ NearOrigin nearOrigin(vtkDataSet& data, const Bounds& boundsWorld)
     } else if (auto* set = vtkPointSet::SafeDownCast(&data)) {
         const auto copy = vtkSmartPointer<vtkPointSet>::Take(set->NewInstance());
         copy->ShallowCopy(set);
-        copy->SetPoints(moved(data, cornerWorld));
+        copy->SetPoints(pointsLess(data, cornerWorld));
         near = {copy, cornerWorld};
     }
     return near;
@@ -64,7 +62,7 @@ NearOrigin nearOrigin(vtkDataSet& data, const Bounds& boundsWorld)
 void moveBack(vtkPolyData& surface, const NearOrigin& from)
 {
     if (from.movedBy == glm::dvec3(0) || !surface.GetPoints()) return;
-    surface.SetPoints(moved(surface, -from.movedBy));
+    surface.SetPoints(pointsLess(surface, -from.movedBy));
 }
 
 }  // namespace aeolic

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkDataSet.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
@@ -9,6 +10,9 @@
 #include "base/bounds.h"
 
 namespace aeolic {
+
+/// The data set's points, less `by`, as doubles.
+vtkSmartPointer<vtkPoints> pointsLess(vtkDataSet& data, const glm::dvec3& by);
 
 /// A data set that was moved to where VTK can cut it.
 struct NearOrigin {

@@ -10,11 +10,11 @@
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <numeric>
 #include <optional>
 
 #include "aeolic/error.h"
 #include "base/large_memory.h"
+#include "data/vtk/arrays.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/outer_faces.h"
 
@@ -65,17 +65,6 @@ vtkSmartPointer<vtkIdList> listOf(const Ids& ids)
     return list;
 }
 
-/// The values of what `from` lists, in that order.
-void gather(vtkDataSetAttributes& all, vtkIdList& from, vtkDataSetAttributes& some)
-{
-    vtkNew<vtkIdList> to;
-    to->SetNumberOfIds(from.GetNumberOfIds());
-    std::iota(to->begin(), to->end(), vtkIdType(0));
-    some.CopyGlobalIdsOn();
-    some.CopyAllocate(&all, from.GetNumberOfIds());
-    some.CopyData(&all, &from, to);
-}
-
 vtkSmartPointer<vtkPolyData> surfaceOf(OuterFaces faces, vtkUnstructuredGrid& grid)
 {
     const auto ids = listOf(numberPoints(faces, grid.GetNumberOfPoints()));
@@ -93,8 +82,8 @@ vtkSmartPointer<vtkPolyData> surfaceOf(OuterFaces faces, vtkUnstructuredGrid& gr
     surface->SetPoints(points);
     surface->SetPolys(polygons);
     surface->GetFieldData()->ShallowCopy(grid.GetFieldData());
-    gather(*grid.GetPointData(), *ids, *surface->GetPointData());
-    gather(*grid.GetCellData(), *listOf(faces.cells), *surface->GetCellData());
+    takeTuples(*grid.GetPointData(), *ids, *surface->GetPointData());
+    takeTuples(*grid.GetCellData(), *listOf(faces.cells), *surface->GetCellData());
     return surface;
 }
 

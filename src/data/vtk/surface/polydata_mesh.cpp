@@ -18,13 +18,13 @@
 #include <limits>
 
 #include "aeolic/error.h"
+#include "base/fnv.h"
 #include "base/parallel.h"
 #include "data/mesh/mesh_tools.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/joined_arrays.h"
 #include "data/vtk/messages.h"
 #include "data/vtk/surface/polydata_vectors.h"
-#include "data/vtk/surface/polygons_hash.h"
 
 namespace aeolic {
 
@@ -74,10 +74,7 @@ vtkSmartPointer<vtkPolyData> withoutBadCells(vtkPolyData& input, const IsBad& is
     output->SetLines(good(input.GetLines()));
     output->SetPolys(good(input.GetPolys()));
     output->SetStrips(good(input.GetStrips()));
-    output->GetCellData()->CopyAllOn();
-    output->GetCellData()->CopyAllocate(input.GetCellData(), kept->GetNumberOfIds());
-    for (vtkIdType cell = 0; cell < kept->GetNumberOfIds(); ++cell)
-        output->GetCellData()->CopyData(input.GetCellData(), kept->GetId(cell), cell);
+    takeTuples(*input.GetCellData(), *kept, *output->GetCellData());
     return output;
 }
 
@@ -118,6 +115,25 @@ vtkSmartPointer<vtkPolyData> cutUp(vtkPolyData& input)
     filter->PassVertsOff();
     filter->Update();
     return filter->GetOutput();
+}
+
+/// A hash of which points every polygon and strip joins: LoadedSurface::topology. Cost: one pass over the polygons.
+std::uint64_t polygonsHash(vtkPolyData& polyData)
+{
+    Fnv hash;
+    const auto mix = [&](vtkIdType number) { hash.mix(std::uint64_t(number)); };
+    mix(polyData.GetNumberOfPoints());
+    for (vtkCellArray* cells : {polyData.GetPolys(), polyData.GetStrips()}) {
+        vtkIdType size = 0;
+        const vtkIdType* corners = nullptr;
+        mix(cells->GetNumberOfCells());
+        for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
+            cells->GetCellAtId(cell, size, corners);
+            mix(size);
+            for (vtkIdType k = 0; k < size; ++k) mix(corners[k]);
+        }
+    }
+    return knownTopology(hash.value);
 }
 
 /// Into how many triangles each cell was cut.
@@ -164,10 +180,7 @@ vtkSmartPointer<vtkPolyData> withFans(vtkPolyData& input)
     for (vtkIdType cell = 0; cell < input.GetNumberOfStrips(); ++cell) sources->InsertNextId(first + cell);
     output->SetPolys(polygons);
     output->SetStrips(input.GetStrips());
-    output->GetCellData()->CopyAllOn();
-    output->GetCellData()->CopyAllocate(input.GetCellData(), sources->GetNumberOfIds());
-    for (vtkIdType cell = 0; cell < sources->GetNumberOfIds(); ++cell)
-        output->GetCellData()->CopyData(input.GetCellData(), sources->GetId(cell), cell);
+    takeTuples(*input.GetCellData(), *sources, *output->GetCellData());
     return output;
 }
 
@@ -239,21 +252,16 @@ Kept copyGeometry(vtkPolyData& polyData, LoadedSurface& surface)
     return kept;
 }
 
-std::vector<glm::vec3> gatherVectors(vtkFloatArray& values, const std::vector<vtkIdType>& ids)
+/// The tuples of these numbers, as floats or vectors of three.
+template <class Value>
+std::vector<Value> gathered(vtkFloatArray& values, const std::vector<vtkIdType>& ids)
 {
-    std::vector<glm::vec3> out(ids.size());
-    const float* source = values.GetPointer(0);
+    static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+    std::vector<Value> out(ids.size());
+    const auto* source = reinterpret_cast<const Value*>(values.GetPointer(0));
     parallelRanges(ids.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            out[i] = {source[3 * ids[i]], source[3 * ids[i] + 1], source[3 * ids[i] + 2]};
+        for (std::size_t i = begin; i < end; ++i) out[i] = source[ids[i]];
     });
-    return out;
-}
-
-std::vector<float> gatherScalars(vtkFloatArray& values, const std::vector<vtkIdType>& ids)
-{
-    std::vector<float> out(ids.size());
-    for (std::size_t i = 0; i < ids.size(); ++i) out[i] = values.GetValue(ids[i]);
     return out;
 }
 
@@ -284,7 +292,7 @@ void copyArrays(vtkPolyData& uncut, vtkPolyData& polyData, const SurfaceArrays& 
         vectors = &chooseVectors(arrays, wanted.vectors, where);
         const auto floats = maskedFloats(uncut, polyData, *vectors, surface);
         (vectors->onPoints ? surface.mesh.pointVectors : surface.mesh.cellVectors) =
-            gatherVectors(*floats, vectors->onPoints ? kept.points : kept.cells);
+            gathered<glm::vec3>(*floats, vectors->onPoints ? kept.points : kept.cells);
         surface.vectorsName = vectors->name;
     }
     if (wanted.colorBy.empty()) return;
@@ -296,7 +304,7 @@ void copyArrays(vtkPolyData& uncut, vtkPolyData& polyData, const SurfaceArrays& 
     auto floats = maskedFloats(uncut, polyData, scalar->array, surface);
     if (scalar->part != ArrayPart::whole) floats = partOf(*floats, scalar->part);
     (scalar->array.onPoints ? surface.mesh.pointScalars : surface.mesh.cellScalars) =
-        gatherScalars(*floats, scalar->array.onPoints ? kept.points : kept.cells);
+        gathered<float>(*floats, scalar->array.onPoints ? kept.points : kept.cells);
 }
 
 /// Copies the file's own normals, if every one of them is a direction.
@@ -305,7 +313,7 @@ void copyNormals(vtkPolyData& polyData, const Kept& kept, SurfaceMesh& mesh)
     vtkDataArray* array = polyData.GetPointData()->GetNormals();
     if (!array) array = polyData.GetPointData()->GetArray("Normals");
     if (!array || array->GetNumberOfComponents() != 3) return;
-    mesh.normals = gatherVectors(*toFloats(array), kept.points);
+    mesh.normals = gathered<glm::vec3>(*toFloats(array), kept.points);
     for (glm::vec3& normal : mesh.normals) {
         const float length = glm::length(normal);
         if (!(length > 1e-6f && std::isfinite(length))) {

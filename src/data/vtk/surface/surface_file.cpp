@@ -23,6 +23,14 @@ namespace aeolic {
 
 namespace {
 
+vtkSmartPointer<vtkPolyData> appended(vtkAppendPolyData& append, const std::string& path, const char* expected)
+{
+    const VtkMessages messages;
+    append.Update();
+    if (messages.failed()) throw InputError(path, messages.firstError(), expected);
+    return append.GetOutput();
+}
+
 /// Blocks as one; arrays survive where every block has them. Blocks of faces in grids are faces. Blocks that fill space
 /// give their outer surface, if they are asked for: `named`.
 vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool named, const std::string& path)
@@ -49,10 +57,7 @@ vtkSmartPointer<vtkPolyData> appendBlocks(const std::vector<Block>& blocks, bool
                          : blocks.empty() ? "it has no blocks"
                                           : "its blocks have no polygons",
                          "blocks of faces, or " + path + ":PART for the outside of a block that fills space");
-    const VtkMessages messages;
-    append->Update();
-    if (messages.failed()) throw InputError(path, messages.firstError(), "blocks that can be put together");
-    return append->GetOutput();
+    return appended(*append, path, "blocks that can be put together");
 }
 
 /// Blocks that are not read because they are no polygons, and nobody asked for them.
@@ -89,10 +94,7 @@ vtkSmartPointer<vtkDataObject> readPieces(FileReader& reader, const PieceRun& ru
         ++used;
     }
     if (used == 0) return vtkSmartPointer<vtkPolyData>::New();
-    const VtkMessages messages;
-    append->Update();
-    if (messages.failed()) throw InputError(path, messages.firstError(), "pieces that can be put together");
-    return append->GetOutput();
+    return appended(*append, path, "pieces that can be put together");
 }
 
 /// Which pieces these are, behind the file's name in front of messages.

@@ -11,7 +11,9 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "reader/vtk/hdf/hdf_data_set.h"
 
@@ -20,7 +22,12 @@ namespace {
 
 using Wholes = std::vector<std::int64_t>;
 
-constexpr const char* kTopologies[] = {"Vertices", "Lines", "Polygons", "Strips"};
+/// The kinds of cells that polygonal data have, in their order.
+constexpr std::pair<const char*, void (vtkPolyData::*)(vtkCellArray*)> kTopologies[] = {
+    {"Vertices", &vtkPolyData::SetVerts},
+    {"Lines", &vtkPolyData::SetLines},
+    {"Polygons", &vtkPolyData::SetPolys},
+    {"Strips", &vtkPolyData::SetStrips}};
 
 /// Numbers of some entries of a list, none below zero.
 Wholes countsIn(const Hdf5Object& list, std::uint64_t first, std::uint64_t count)
@@ -101,13 +108,10 @@ struct HdfDataSet::Step {
     std::vector<std::uint64_t> cells, corners;  ///< Of each kind of cells.
 };
 
-struct HdfDataSet::Counts {
-    Wholes cells, corners;  ///< Of each piece.
-};
-
 struct HdfDataSet::Cells {
-    Wholes ends;     ///< Where each cell begins among the corners, and the last ends.
-    Wholes corners;  ///< Among the points of all pieces.
+    Wholes ofPieces;  ///< How many each piece has.
+    Wholes ends;      ///< Where each cell begins among the corners, and the last ends.
+    Wholes corners;   ///< Among the points of all pieces.
 };
 
 /// Pieces and points of a step, and where the cells of its `topologies` kinds begin.
@@ -165,38 +169,34 @@ Wholes HdfDataSet::pointsOf(const Step& place) const
     return countsIn(group_.require("NumberOfPoints"), place.part, place.parts);
 }
 
-HdfDataSet::Counts HdfDataSet::countsOf(const Hdf5Object& group, const Step& place) const
-{
-    return {countsIn(group.require("NumberOfCells"), place.part, place.parts),
-            countsIn(group.require("NumberOfConnectivityIds"), place.part, place.parts)};
-}
-
 /// The cells of all pieces together. Each list is read at once: there may be as many pieces as there are bytes.
 HdfDataSet::Cells HdfDataSet::cellsOf(const Hdf5Object& group, const Step& place, std::size_t topology,
-                                      const Counts& counts, const Wholes& points) const
+                                      const Wholes& points) const
 {
+    const Wholes counts = countsIn(group.require("NumberOfCells"), place.part, place.parts),
+                 cornerCounts = countsIn(group.require("NumberOfConnectivityIds"), place.part, place.parts);
     const Hdf5Object offsets = group.require("Offsets"), connectivity = group.require("Connectivity");
     // Each piece, and each before this step, has an offset more than cells.
-    const Slab slab{{place.cells[topology] + place.part}, {sumOf(counts.cells) + points.size()}},
-        own{{place.corners[topology]}, {sumOf(counts.corners)}};
+    const Slab slab{{place.cells[topology] + place.part}, {sumOf(counts) + points.size()}},
+        own{{place.corners[topology]}, {sumOf(cornerCounts)}};
     if (!isWithin(slab, offsets.shape()) || !isWithin(own, connectivity.shape()))
         group.fail(fmt::format("it has {} offsets and {} corners", fmt::join(offsets.shape(), " x "),
                                fmt::join(connectivity.shape(), " x ")),
                    fmt::format("{} and {} behind {} and {}", slab.count[0], own.count[0], slab.first[0], own.first[0]));
-    const Wholes ofPieces = offsets.read<std::int64_t>(slab);
-    Cells all{{0}, connectivity.read<std::int64_t>(own)};
+    const Wholes begins = offsets.read<std::int64_t>(slab);
+    Cells all{counts, {0}, connectivity.read<std::int64_t>(own)};
     all.ends.reserve(std::size_t(slab.count[0]));
     auto corner = all.corners.begin();
-    auto first = ofPieces.begin();
+    auto first = begins.begin();
     std::int64_t base = 0;
     for (std::size_t piece = 0; piece < points.size(); ++piece) {
-        const auto end = first + counts.cells[piece] + 1;
-        if (*first != 0 || *(end - 1) != counts.corners[piece] || !std::is_sorted(first, end))
+        const auto end = first + counts[piece] + 1;
+        if (*first != 0 || *(end - 1) != cornerCounts[piece] || !std::is_sorted(first, end))
             offsets.fail(fmt::format("its numbers go from {} to {}", *first, *(end - 1)),
-                         fmt::format("0 to {}, none smaller than the one before", counts.corners[piece]));
+                         fmt::format("0 to {}, none smaller than the one before", cornerCounts[piece]));
         const std::int64_t begin = all.ends.back();
         for (++first; first != end; ++first) all.ends.push_back(begin + *first);
-        for (const auto last = corner + counts.corners[piece]; corner != last; ++corner) {
+        for (const auto last = corner + cornerCounts[piece]; corner != last; ++corner) {
             if (*corner < 0 || *corner >= points[piece])
                 group.fail(fmt::format("a cell has the corner {}", *corner),
                            fmt::format("0 to {}, the points of its piece less one", points[piece] - 1));
@@ -212,7 +212,7 @@ vtkSmartPointer<vtkDataSet> HdfDataSet::readGrid(std::size_t step, const std::ve
     const Step place = placeOf(step, 1);
     const Hdf5Object pointData = group_.require("Points"), typeData = group_.require("Types");
     const Wholes points = pointsOf(place);
-    const Cells cells = cellsOf(group_, place, 0, countsOf(group_, place), points);
+    const Cells cells = cellsOf(group_, place, 0, points);
     const Slab slab{{place.cells[0]}, {cells.ends.size() - 1}};
     if (!isWithin(slab, typeData.shape()))
         typeData.fail(fmt::format("it has {} numbers", fmt::join(typeData.shape(), " x ")),
@@ -236,7 +236,7 @@ vtkSmartPointer<vtkDataSet> HdfDataSet::readGrid(std::size_t step, const std::ve
 
 vtkSmartPointer<vtkDataSet> HdfDataSet::readPolygons(std::size_t step, const std::vector<ArrayInfo>& kept) const
 {
-    const Step place = placeOf(step, 4);
+    const Step place = placeOf(step, std::size(kTopologies));
     const Hdf5Object pointData = group_.require("Points");
     const Wholes points = pointsOf(place);
     auto polygons = vtkSmartPointer<vtkPolyData>::New();
@@ -244,19 +244,15 @@ vtkSmartPointer<vtkDataSet> HdfDataSet::readPolygons(std::size_t step, const std
     polygons->SetPoints(readPoints(pointData, place.point, sumOf(points)));
     std::vector<Wholes> counts;  // Cells of each kind and piece.
     std::uint64_t cell = 0;
-    for (std::size_t kind = 0; kind < 4; ++kind) {
+    for (std::size_t kind = 0; kind < std::size(kTopologies); ++kind) {
+        const auto& [name, set] = kTopologies[kind];
         cell += place.cells[kind];
         counts.emplace_back(points.size());
-        const auto group = group_.find(kTopologies[kind]);
+        const auto group = group_.find(name);
         if (!group) continue;
-        const Counts own = countsOf(*group, place);
-        const Cells read = cellsOf(*group, place, kind, own, points);
-        const auto cells = cellArray(read.ends, read.corners);
-        if (kind == 0) polygons->SetVerts(cells);
-        if (kind == 1) polygons->SetLines(cells);
-        if (kind == 2) polygons->SetPolys(cells);
-        if (kind == 3) polygons->SetStrips(cells);
-        counts.back() = own.cells;
+        const Cells cells = cellsOf(*group, place, kind, points);
+        ((*polygons).*set)(cellArray(cells.ends, cells.corners));
+        counts.back() = cells.ofPieces;
     }
     addArrays(*polygons, step, kept, {place.point, cell});
     if (points.size() > 1) sortByKind(*polygons->GetCellData(), counts);

@@ -1,12 +1,11 @@
 #include "reader/vtk/hdf/hdf_data_set.h"
 
 #include <fmt/format.h>
-#include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -14,16 +13,10 @@
 #include <cmath>
 #include <limits>
 
+#include "reader/vtk/block_arrays.h"
+
 namespace aeolic {
 namespace {
-
-int vtkTypeOf(NumberType type)
-{
-    constexpr int types[] = {VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
-                             VTK_INT,         VTK_UNSIGNED_INT,  VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
-                             VTK_FLOAT,       VTK_DOUBLE};
-    return types[std::size_t(type)];
-}
 
 const char* groupName(bool onPoints)
 {
@@ -66,6 +59,15 @@ vtkSmartPointer<Array> arrayOf(const ArrayInfo& info, const std::vector<Number>&
     array->SetNumberOfTuples(vtkIdType(values.size()) / info.components);
     std::copy(values.begin(), values.end(), array->GetPointer(0));
     return array;
+}
+
+void addValues(vtkDataSet& to, const ArrayInfo& info, const Hdf5Object& data, const Slab& slab)
+{
+    vtkDataSetAttributes& all = valuesOf(to, info.onPoints);
+    if (isMaskName(info.name))
+        all.AddArray(arrayOf<vtkUnsignedCharArray>(info, data.read<std::int8_t>(slab)));
+    else
+        all.AddArray(arrayOf<vtkFloatArray>(info, data.read<float>(slab)));
 }
 
 }  // namespace
@@ -145,11 +147,7 @@ vtkSmartPointer<vtkDataSet> HdfDataSet::readImage(std::size_t step, const std::v
         if (shape != slab.count)
             data.fail(fmt::format("it has {} numbers", fmt::join(data.shape(), " x ")),
                       fmt::format("{}{}", steps_ ? "steps of " : "", fmt::join(count, " x ")));
-        auto* to = info.onPoints ? static_cast<vtkFieldData*>(image->GetPointData()) : image->GetCellData();
-        if (isMaskName(info.name))
-            to->AddArray(arrayOf<vtkUnsignedCharArray>(info, data.read<std::int8_t>(slab)));
-        else
-            to->AddArray(arrayOf<vtkFloatArray>(info, data.read<float>(slab)));
+        addValues(*image, info, data, slab);
     }
     return image;
 }
@@ -184,11 +182,7 @@ void HdfDataSet::addArrays(vtkDataSet& to, std::size_t step, const std::vector<A
             data.fail(
                 fmt::format("it has {} values", data.shape().front()),
                 fmt::format("{} from {} on, one for each of the {}", count, first, info.onPoints ? "points" : "cells"));
-        auto* all = info.onPoints ? static_cast<vtkFieldData*>(to.GetPointData()) : to.GetCellData();
-        if (isMaskName(info.name))
-            all->AddArray(arrayOf<vtkUnsignedCharArray>(info, data.read<std::int8_t>(slab)));
-        else
-            all->AddArray(arrayOf<vtkFloatArray>(info, data.read<float>(slab)));
+        addValues(to, info, data, slab);
     }
 }
 

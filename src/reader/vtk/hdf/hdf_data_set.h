@@ -28,8 +28,7 @@ public:
     vtkSmartPointer<vtkDataSet> read(std::size_t step, const std::vector<ArrayInfo>& kept) const;
 
 private:
-    struct Step;    // Where a step's numbers begin.
-    struct Counts;  // Of each piece's cells.
+    struct Step;  // Where a step's numbers begin.
     struct Cells;
     struct Place {
         std::uint64_t point, cell;
@@ -37,12 +36,11 @@ private:
 
     void findArrays(bool onPoints);
     Step placeOf(std::size_t step, std::size_t topologies) const;
-    Counts countsOf(const Hdf5Object& group, const Step& place) const;
     vtkSmartPointer<vtkDataSet> readImage(std::size_t step, const std::vector<ArrayInfo>& kept) const;
     vtkSmartPointer<vtkDataSet> readGrid(std::size_t step, const std::vector<ArrayInfo>& kept) const;
     vtkSmartPointer<vtkDataSet> readPolygons(std::size_t step, const std::vector<ArrayInfo>& kept) const;
     std::vector<std::int64_t> pointsOf(const Step& place) const;
-    Cells cellsOf(const Hdf5Object& group, const Step& place, std::size_t topology, const Counts& counts,
+    Cells cellsOf(const Hdf5Object& group, const Step& place, std::size_t topology,
                   const std::vector<std::int64_t>& points) const;
     void addArrays(vtkDataSet& to, std::size_t step, const std::vector<ArrayInfo>& kept, const Place& begin) const;
     std::uint64_t arrayBegin(const ArrayInfo& array, std::size_t step) const;

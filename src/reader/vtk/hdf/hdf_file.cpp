@@ -1,8 +1,6 @@
 #include "reader/vtk/hdf/hdf_file.h"
 
 #include <fmt/format.h>
-#include <vtkCompositeDataSet.h>
-#include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 #include <utility>
 
 #include "aeolic/error.h"
-#include "data/part_choice.h"
+#include "reader/vtk/block_arrays.h"
 #include "reader/vtk/hdf/hdf_data_set.h"
 
 namespace aeolic {
@@ -23,7 +21,7 @@ bool isComposite(const std::string& type)
 
 class VtkHdfFile : public OwnReader {
 public:
-    VtkHdfFile(const std::string& path, FileUse use, std::optional<double> time) : path_(path), use_(use)
+    VtkHdfFile(const std::string& path, FileUse use, std::optional<double> time) : OwnReader(path, use)
     {
         const Hdf5Object root = Hdf5Object::openFile(path);
         const auto group = root.find("VTKHDF");
@@ -40,11 +38,7 @@ public:
             sets_.emplace_back(*group);
         for (const HdfDataSet& set : sets_) {
             if (times_.size() < set.times().size()) times_ = set.times();
-            for (const ArrayInfo& array : set.arrays())
-                if (std::none_of(arrays_.begin(), arrays_.end(), [&](const ArrayInfo& each) {
-                        return each.name == array.name && each.onPoints == array.onPoints;
-                    }))
-                    arrays_.push_back(array);
+            addOthers(arrays_, set.arrays());
         }
         time_ = time.value_or(times_.empty() ? 0 : times_.front());
     }
@@ -52,17 +46,12 @@ public:
     const std::vector<ArrayInfo>& arrays() const override { return arrays_; }
     std::vector<double> times() const override { return times_; }
     const std::vector<PartInfo>& parts() const override { return parts_; }
-    void keepParts(std::vector<std::string> wanted) override { wanted_ = std::move(wanted); }
 
     vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
     {
         if (parts_.empty()) return readSet(sets_.front(), kept);
         auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-        for (const std::size_t i : chosen()) {
-            const unsigned number = blocks->GetNumberOfBlocks();
-            blocks->SetBlock(number, readSet(sets_[i], kept));
-            blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), parts_[i].name.c_str());
-        }
+        for (const std::size_t i : chosen()) addBlock(*blocks, readSet(sets_[i], kept), parts_[i].name);
         return blocks;
     }
 
@@ -114,8 +103,6 @@ private:
         }
     }
 
-    std::vector<std::size_t> chosen() const { return chosenParts(parts_, wanted_, use_, path_); }
-
     vtkSmartPointer<vtkDataSet> readSet(const HdfDataSet& set, const std::vector<ArrayInfo>& kept) const
     {
         std::size_t step = 0;
@@ -123,21 +110,15 @@ private:
             if (set.times()[i] <= time_) step = i;
         std::vector<ArrayInfo> own;
         for (const ArrayInfo& array : set.arrays())
-            if (std::any_of(kept.begin(), kept.end(), [&](const ArrayInfo& each) {
-                    return each.name == array.name && each.onPoints == array.onPoints;
-                }))
-                own.push_back(array);
+            if (isAmong(kept, array.name, array.onPoints)) own.push_back(array);
         return set.read(step, own);
     }
 
-    std::string path_;
-    FileUse use_;
     std::vector<HdfDataSet> sets_;
     std::vector<PartInfo> parts_;  // Of each, where there are several.
     std::vector<ArrayInfo> arrays_;
     std::vector<double> times_;
     double time_ = 0;
-    std::vector<std::string> wanted_;
 };
 
 }  // namespace

@@ -15,7 +15,6 @@
 #include <algorithm>
 
 #include "aeolic/error.h"
-#include "data/part_choice.h"
 #include "data/vtk/messages.h"
 #include "reader/vtk/block_arrays.h"
 
@@ -33,7 +32,7 @@ int dimensionOf(vtkDataSet& data)
 
 class EnSight6Case : public OwnReader {
 public:
-    EnSight6Case(const std::string& path, FileUse use, std::optional<double> time) : path_(path), use_(use)
+    EnSight6Case(const std::string& path, FileUse use, std::optional<double> time) : OwnReader(path, use)
     {
         reader_->SetCaseFileName(path.c_str());
         run([&] { reader_->UpdateInformation(); });
@@ -47,18 +46,15 @@ public:
     const std::vector<ArrayInfo>& arrays() const override { return step().arrays; }
     std::vector<double> times() const override { return times_; }
     const std::vector<PartInfo>& parts() const override { return step().parts; }
-    void keepParts(std::vector<std::string> wanted) override { wanted_ = std::move(wanted); }
 
     vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
     {
         auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-        for (const std::size_t part : chosenParts(step().parts, wanted_, use_, path_)) {
+        for (const std::size_t part : chosen()) {
             const auto block = vtkSmartPointer<vtkDataSet>::Take(step().blocks[part]->NewInstance());
             block->ShallowCopy(step().blocks[part]);
             unifyArrays(*block, kept);
-            const unsigned number = blocks->GetNumberOfBlocks();
-            blocks->SetBlock(number, block);
-            blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), step().parts[part].name.c_str());
+            addBlock(*blocks, block, step().parts[part].name);
         }
         return blocks;
     }
@@ -98,11 +94,7 @@ private:
                                   {},
                                   dimension});
             read.blocks.push_back(block);
-            for (const ArrayInfo& array : arraysOf(*block))
-                if (std::none_of(read.arrays.begin(), read.arrays.end(), [&](const ArrayInfo& each) {
-                        return each.name == array.name && each.onPoints == array.onPoints;
-                    }))
-                    read.arrays.push_back(array);
+            addOthers(read.arrays, arraysOf(*block));
         }
         if (read.blocks.empty()) throw InputError(path_, "it has no part of faces or cells", "one");
         step_ = std::move(read);
@@ -119,11 +111,8 @@ private:
         return used->GetOutput();
     }
 
-    std::string path_;
-    FileUse use_;
     vtkNew<vtkGenericEnSightReader> reader_;
     std::vector<double> times_;
-    std::vector<std::string> wanted_;
     mutable std::optional<Step> step_;  // Once it was asked for.
 };
 

@@ -1,13 +1,13 @@
 #include "reader/vtk/netcdf/netcdf_grid.h"
 
 #include <fmt/format.h>
-#include <vtkFloatArray.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
 
 #include "base/memory.h"
 #include "reader/netcdf/netcdf_file.h"
+#include "reader/vtk/block_arrays.h"
 #include "reader/vtk/netcdf/grid_places.h"
 #include "reader/vtk/netcdf/grid_values.h"
 #include "reader/vtk/netcdf/grid_variables.h"
@@ -21,7 +21,8 @@ constexpr std::uint64_t kFloatsBeside = 9;
 
 class NetcdfGrid : public OwnReader {
 public:
-    NetcdfGrid(const std::string& path, std::optional<double> time) : file_(path), all_(gridVariablesOf(file_))
+    NetcdfGrid(const std::string& path, FileUse use, std::optional<double> time)
+        : OwnReader(path, use), file_(path), all_(gridVariablesOf(file_))
     {
         // The first vector is proposed first, so it belongs to the grid that all arrays together get.
         std::stable_sort(all_.vectors.begin(), all_.vectors.end(), [&](const GridVector& a, const GridVector& b) {
@@ -43,7 +44,6 @@ public:
     }
 
     const std::vector<PartInfo>& parts() const override { return parts_; }
-    void keepParts(std::vector<std::string>) override {}
 
     vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
     {
@@ -70,10 +70,7 @@ public:
                                                   ? vectorsOnGrid(file_, all_, all_.vectors[i], axes, places, steps_)
                                                   : valuesOnGrid(file_, all_.variables[i - all_.vectors.size()], axes,
                                                                  places, steps_[i - all_.vectors.size()]);
-            auto made = vtkSmartPointer<vtkFloatArray>::New();
-            made->SetName(array.name.c_str());
-            made->SetNumberOfComponents(array.components);
-            made->SetNumberOfTuples(vtkIdType(places.count()));
+            const auto made = floatArray(array.name, array.components, places.count());
             std::copy(values.begin(), values.end(), made->GetPointer(0));
             data->GetPointData()->AddArray(made);
         }
@@ -148,9 +145,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<OwnReader> openNetcdfGrid(const std::string& path, FileUse, std::optional<double> time)
+std::unique_ptr<OwnReader> openNetcdfGrid(const std::string& path, FileUse use, std::optional<double> time)
 {
-    return std::make_unique<NetcdfGrid>(path, time);
+    return std::make_unique<NetcdfGrid>(path, use, time);
 }
 
 }  // namespace aeolic

@@ -94,9 +94,12 @@ constexpr std::uint32_t kAhead = 8;
 
 /// A pixel's samples, of which some show what no pixel's centre does. They have the nearest candidate's colours.
 struct UnseenSamples {
+    static constexpr std::size_t kMost = EdgePixels::kPadding;  ///< Whole vectors.
+    static_assert(kMost >= std::size_t(antialias::kSamples));
+
     std::uint8_t which = 0;  ///< A bit for each sample.
-    float light[antialias::kSamples] = {}, scalar[antialias::kSamples] = {};
-    std::int32_t kind[antialias::kSamples] = {};
+    alignas(64) float light[kMost] = {}, scalar[kMost] = {};
+    alignas(64) std::int32_t kind[kMost] = {};
 };
 
 void lightUnseen(Candidates& candidates, const float* light, const std::int32_t* nearest, UnseenSamples& out)
@@ -121,21 +124,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 using DP = hn::CappedTag<float, antialias::kSamples>;  // Some of a pixel's samples.
 using VP = hn::Vec<DP>;
 
-// A bit for each of a vector's lanes.
-HWY_INLINE std::uint8_t bitsOf(hn::Mask<DP> mask)
-{
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(DP(), mask, bits);
-    return bits[0];
-}
-
 // Which of a pixel's samples show background, a bit each.
 HWY_INLINE std::uint8_t emptySamples(const float* invDepth)
 {
     const DP d;
     std::uint8_t bits = 0;
     for (int s = 0; s < antialias::kSamples; s += int(hn::Lanes(d)))
-        bits = std::uint8_t(bits | bitsOf(hn::Eq(hn::LoadU(d, invDepth + s), hn::Zero(d))) << s);
+        bits = std::uint8_t(bits | bitsOf(d, hn::Eq(hn::LoadU(d, invDepth + s), hn::Zero(d))) << s);
     return bits;
 }
 
@@ -182,7 +177,7 @@ HWY_INLINE std::uint8_t chooseCandidates(Candidates& candidates, const EdgeSampl
         hn::StoreU(chosenOf, di, chosen + s);
         hn::StoreU(nearestOf, di, nearest + s);
         const auto none = hn::RebindMask(d, hn::Lt(chosenOf, hn::Zero(di)));
-        without = std::uint8_t(without | bitsOf(hn::AndNot(empty, none)) << s);
+        without = std::uint8_t(without | bitsOf(d, hn::AndNot(empty, none)) << s);
     }
     return without;
 }
@@ -227,18 +222,11 @@ HWY_INLINE void addTaken(const Candidates& candidates, const float* light, const
 HWY_INLINE void addUnseen(const Palette& palette, const UnseenSamples& samples, ColorSum& sum)
 {
     const DF d;
-    constexpr std::size_t kMost = std::max<std::size_t>(hn::MaxLanes(d), antialias::kSamples);
-    HWY_ALIGN float lights[kMost] = {}, scalars[kMost] = {};
-    HWY_ALIGN std::int32_t kinds[kMost] = {};
-    HWY_ALIGN std::uint32_t colors[kMost];
-    std::copy_n(samples.light, antialias::kSamples, lights);
-    std::copy_n(samples.scalar, antialias::kSamples, scalars);
-    std::copy_n(samples.kind, antialias::kSamples, kinds);
-    for (std::size_t i = 0; i < std::size_t(antialias::kSamples); i += hn::Lanes(d)) {
-        hn::Store(surfaceColor(palette, hn::Zero(d), hn::Load(d, lights + i), hn::Load(d, scalars + i),
-                               hn::Load(DI(), kinds + i)),
+    HWY_ALIGN std::uint32_t colors[UnseenSamples::kMost];
+    for (std::size_t i = 0; i < std::size_t(antialias::kSamples); i += hn::Lanes(d))
+        hn::Store(surfaceColor(palette, hn::Zero(d), hn::Load(d, samples.light + i), hn::Load(d, samples.scalar + i),
+                               hn::Load(DI(), samples.kind + i)),
                   DU(), colors + i);
-    }
     for (int s = 0; s < antialias::kSamples; ++s) {
         if ((samples.which >> s & 1) == 0) continue;
         for (int c = 0; c < 3; ++c) sum.channel[c] += 255 * std::int32_t((colors[s] >> (8 * c)) & 0xFFu);

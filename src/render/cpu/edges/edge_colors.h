@@ -3,21 +3,15 @@
 #include <cstdint>
 
 #include "render/cpu/edges/edge_samples.h"
-#include "render/gbuffer.h"
-#include "render/palette.h"
-#include "render/tile.h"
+#include "render/cpu/shade/shade.h"
 #include "render/view.h"
 
 namespace aeolic::cpu {
 
 /// What edges are smoothed from.
-struct EdgeScene {
+struct EdgeScene : ShadeInput {
     const SceneArrays& arrays;
     const View& view;
-    const GBuffer& buffer;
-    const Image<float>& lic;
-    const Image<float>& open;  ///< As OcclusionStage leaves it; read where the palette has occlusion.
-    const Palette& palette;
 };
 
 /// Finished pixels of some rows before any edge was smoothed, with the rows next to them.

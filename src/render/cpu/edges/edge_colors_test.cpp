@@ -73,7 +73,7 @@ struct TwoTables {
             samples.light[s] = 1;
         }
         std::uint32_t rgba = 0;
-        mixEdges(pixels, samples, 0, {arrays, view, buffer, lic, open, palette}, {kImage, &shown, nullptr, nullptr},
+        mixEdges(pixels, samples, 0, {{buffer, lic, open, palette}, arrays, view}, {kImage, &shown, nullptr, nullptr},
                  &rgba);
         return {std::uint8_t(rgba), std::uint8_t(rgba >> 8), std::uint8_t(rgba >> 16)};
     }

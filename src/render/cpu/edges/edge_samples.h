@@ -4,9 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/cpu/project/sample_triangles.h"
-#include "render/cpu/project/scene_arrays.h"
-#include "render/view.h"
+#include "render/cpu/project/visibility.h"
+#include "render/edge_exchange.h"
 
 namespace aeolic::cpu {
 
@@ -23,5 +22,14 @@ struct EdgeSamples {
 
 /// Local. Fills in what the drawn samples show, by the arithmetic that pixels' centres have. Cost: 150 ns a pixel.
 void resolveSamples(const SceneArrays& arrays, const View& view, EdgeSamples& samples);
+
+/// Local. What the triangles here show in the edge pixels of a tile. `visibility` has chosen triangles by edges.
+void drawSamples(const Visibility& visibility, int tile, const EdgePixels& pixels, const SceneArrays& arrays,
+                 const View& view, EdgeSamples& samples);
+
+/// Local. What this rank's piece of the surface shows in the picture's edges `all`: those pixels in which it shows
+/// anything, in the order of tiles.
+std::vector<EdgePixelSeen> seenInEdges(const Visibility& visibility, const EdgeMask& all, const SceneArrays& arrays,
+                                       const View& view);
 
 }  // namespace aeolic::cpu

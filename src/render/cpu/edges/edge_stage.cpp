@@ -5,8 +5,6 @@
 
 #include "base/parallel.h"
 #include "render/cpu/edges/find_edges.h"
-#include "render/cpu/edges/seen_edges.h"
-#include "render/cpu/shade/shade.h"
 
 namespace aeolic::cpu {
 
@@ -17,7 +15,7 @@ void EdgeStage::shadeBeside(const EdgeScene& scene, const Extent& compute)
     const auto shadeRow = [&](int y, Tile& row) {
         if (y < valid.y0 || y >= valid.y1) return;
         row.resize({valid.x0, y, valid.x1, y + 1});
-        shadeRows({scene.buffer, scene.lic, scene.open, scene.palette}, row.extent, row);
+        shadeRows(scene, row.extent, row);
     };
     shadeRow(compute.y0 - 1, above_);
     shadeRow(compute.y1, below_);
@@ -58,7 +56,7 @@ void EdgeStage::composite(const EdgeScene& scene, Visibility& visibility, const 
 {
     const EdgeMask all = pieces.gather(mask_);
     visibility.binEdges(scene.arrays, scene.view, all.rows, all);
-    const std::vector<EdgePixelSeen> seen = pieces.exchange(seenInEdges(visibility, all, scene));
+    const std::vector<EdgePixelSeen> seen = pieces.exchange(seenInEdges(visibility, all, scene.arrays, scene.view));
     visibility.layTiles(compute);
     findPixels(visibility);
     takeNearest(visibility, seen);
@@ -86,7 +84,7 @@ void EdgeStage::run(const EdgeScene& scene, Visibility& visibility, const Extent
     forEachTile([&](std::size_t i, const EdgePixels& pixels) {
         if (pieces) return mixEdges(pixels, nearest_, before_[i], scene, shown, &colors_[before_[i]]);
         thread_local EdgeSamples samples;
-        drawSamples(visibility, int(i), pixels, scene, samples);
+        drawSamples(visibility, int(i), pixels, scene.arrays, scene.view, samples);
         mixEdges(pixels, samples, 0, scene, shown, &colors_[before_[i]]);
     });
     forEachTile([&](std::size_t i, const EdgePixels& pixels) {

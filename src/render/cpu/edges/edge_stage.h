@@ -5,10 +5,6 @@
 
 #include "render/cpu/edges/edge_colors.h"
 #include "render/cpu/edges/edge_samples.h"
-#include "render/cpu/project/visibility.h"
-#include "render/edge_exchange.h"
-#include "render/edge_mask.h"
-#include "render/tile.h"
 
 namespace aeolic::cpu {
 

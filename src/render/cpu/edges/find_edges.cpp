@@ -1,7 +1,6 @@
 #include "render/cpu/edges/find_edges.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "base/parallel.h"
 #include "render/antialias.h"
@@ -132,12 +131,7 @@ void findInRow(const View& view, const GBuffer& buffer, bool lighting, const Col
         if (!linked && allBackground(buffer, view.camera.height, x, y)) continue;
         MF edge = linked ? creasesAt(buffer, lightStep, x, y) : edgesAt(view, buffer, lightStep, x, y);
         edge = hn::And(edge, hn::FirstN(d, std::size_t(std::max(columns.x1 - x, 0))));
-        if (hn::AllFalse(d, edge)) continue;
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, edge, bytes);
-        std::uint64_t some = 0;
-        std::memcpy(&some, bytes, sizeof some);
-        words[x / kWord] |= some << (x % kWord);
+        if (!hn::AllFalse(d, edge)) words[x / kWord] |= bitsOf(d, edge) << (x % kWord);
     }
 }
 
@@ -153,12 +147,7 @@ ColumnSpan edgeColumns(const GBuffer& buffer, int y)
 {
     constexpr int kAligned = Image<float>::kApron;
     const Extent& valid = buffer.valid();
-    ColumnSpan all{valid.x1, valid.x0};
-    for (int row = std::max(y - 1, valid.y0); row < std::min(y + 2, valid.y1); ++row) {
-        const ColumnSpan& columns = buffer.surfaceColumns(row);
-        if (columns.empty()) continue;
-        all = {std::min(all.x0, columns.x0), std::max(all.x1, columns.x1)};
-    }
+    const ColumnSpan all = buffer.surfaceColumns(std::max(y - 1, valid.y0), std::min(y + 2, valid.y1));
     if (all.empty()) return {valid.x1, valid.x1};
     return {std::max(valid.x0, (all.x0 - 1 - valid.x0) / kAligned * kAligned + valid.x0),
             std::min(all.x1 + 1, valid.x1)};
@@ -167,11 +156,8 @@ ColumnSpan edgeColumns(const GBuffer& buffer, int y)
 void findEdges(const View& view, const GBuffer& buffer, bool lighting, const Extent& compute, EdgeMask& out)
 {
     out.clear(compute);
-    parallelRanges(std::size_t(std::max(compute.height(), 0)), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int y = compute.y0 + int(i);
-            HWY_DYNAMIC_DISPATCH(findInRow)(view, buffer, lighting, edgeColumns(buffer, y), y, out.row(y));
-        }
+    parallelRows(compute, 8, [&](int y) {
+        HWY_DYNAMIC_DISPATCH(findInRow)(view, buffer, lighting, edgeColumns(buffer, y), y, out.row(y));
     });
 }
 

@@ -1,4 +1,4 @@
-#include "render/cpu/edges/seen_edges.h"
+#include "render/cpu/edges/edge_samples.h"
 
 #include <gtest/gtest.h>
 
@@ -26,10 +26,9 @@ TEST(SeenEdges, SamplesHaveTheirTrianglesPlaceInTheWholeSurface)
     for (int y = 0; y < 64; ++y) all.row(y)[0] = std::uint64_t{1} << y | std::uint64_t{1} << (63 - y);
     Visibility visibility;
     visibility.binEdges(arrays, view, all.rows, all);
-    const GBuffer buffer;
-    const Image<float> none;
+
     std::map<std::uint64_t, int> count;
-    for (const EdgePixelSeen& pixel : seenInEdges(visibility, all, {arrays, view, buffer, none, none, {}}))
+    for (const EdgePixelSeen& pixel : seenInEdges(visibility, all, arrays, view))
         for (const EdgeSample& sample : pixel.samples) {
             if (sample.depth == 0) continue;
             EXPECT_GT(std::bit_cast<float>(sample.depth), 0);

@@ -16,18 +16,6 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A trace's weighted sum (noise bytes times pixels), weighted length, and how many pixels of full weight vary as much,
-/// to the LIC value.
-HWY_INLINE VF licValue(VF sum, VF lengthPx, VF effectivePx, const ContrastModel& contrast)
-{
-    const DF d;
-    const VF power =
-        hn::MulAdd(hn::Mul(effectivePx, effectivePx), hn::Set(d, contrast.perLength), hn::Set(d, contrast.zeroLength));
-    const VF gain = hn::Sqrt(hn::Sqrt(power));
-    return hn::Mul(hn::Div(sum, lengthPx),
-                   hn::Mul(gain, hn::Set(d, flow_texel::kNoiseUnit * contrast.inverseMeanWeight)));
-}
-
 /// Sine and cosine of pi x, x within [0, 1]: polynomials about the middle, within 3e-5.
 HWY_INLINE void sinCosPi(VF x, VF& sine, VF& cosine)
 {
@@ -73,6 +61,23 @@ HWY_INLINE VF phaseGain(VF own, VF down, VF up, const ContrastModel& contrast)
     constexpr float most = kMostPhaseGain * kMostPhaseGain;
     const VF atRest = weightOf(1, 0), now = weightOf(contrast.phaseCosine, contrast.phaseSine);
     return hn::Sqrt(hn::Div(atRest, hn::Max(now, hn::Mul(atRest, hn::Set(d, 1 / most)))));
+}
+
+/// What traces gathered to the LIC value: the weighted sum, noise bytes times pixels; the pixel's own length; how far
+/// they walked in either direction, pixels, weights counted, and the stream tube's width at the end.
+HWY_INLINE VF licValue(VF sum, VF own, VF down, VF downWidth, VF up, VF upWidth, const ContrastModel& contrast)
+{
+    const DF d;
+    const VF one = hn::Set(d, 1.0f), length = hn::Add(own, hn::Add(down, up));
+    // As many pixels of full weight as vary as much.
+    const VF both = hn::MulAdd(down, hn::Add(one, downWidth), hn::Mul(up, hn::Add(one, upWidth)));
+    const VF effective = hn::Div(hn::Mul(length, length), hn::MulAdd(hn::Set(d, 0.5f), both, own));
+    const VF power =
+        hn::MulAdd(hn::Mul(effective, effective), hn::Set(d, contrast.perLength), hn::Set(d, contrast.zeroLength));
+    const VF gain = hn::Sqrt(hn::Sqrt(power));
+    const VF value =
+        hn::Mul(hn::Div(sum, length), hn::Mul(gain, hn::Set(d, flow_texel::kNoiseUnit * contrast.inverseMeanWeight)));
+    return contrast.phased() ? hn::Mul(value, phaseGain(own, down, up, contrast)) : value;
 }
 
 /// The length in the image of a step, in pixels; `unitPx` pixels per unit of `v`.

@@ -72,13 +72,7 @@ void packRow(const float* values, const std::uint8_t* links, int x0, int x1, std
     for (int x = x0; x < x1; x += int(hn::Lanes(d))) {
         const VU value = hn::BitCast(du, hn::LoadU(d, values + x));
         const VU word = hn::Or(hn::AndNot(hn::Set(du, 0xFFu), value), hn::PromoteTo(du, hn::LoadU(d8, links + x)));
-        if (x + int(hn::Lanes(d)) <= x1) {
-            hn::StoreU(word, du, words + x);
-        } else {
-            HWY_ALIGN std::uint32_t some[hn::MaxLanes(du)];
-            hn::Store(word, du, some);
-            std::copy_n(some, x1 - x, words + x);
-        }
+        storeUpTo(x1, word, x, du, words);
     }
 }
 
@@ -128,27 +122,18 @@ void smoothRowOf(const std::uint32_t* flow, int vanishing, const Image<std::uint
         }
         const VF raised = hn::MulAdd(weight, perWeight, one);
         const VF value = hn::Mul(hn::Div(sum, hn::Add(weight, hn::Set(d, along_flow::kWeights[0]))), raised);
-        if (x + lanes <= x1) {
-            hn::StoreU(value, d, out + x);
-        } else {
-            HWY_ALIGN float some[hn::MaxLanes(d)];
-            hn::Store(value, d, some);
-            std::copy_n(some, x1 - x, out + x);
-        }
+        storeUpTo(x1, value, x, d, out);
     }
 }
 
-void smoothRow(const std::uint32_t* flow, const Image<std::uint32_t>& image, float gain, int y, int x0, int x1,
-               float* out)
-{
-    smoothRowOf<FlowCells>(flow, int(limits::kVanishing), image, gain, y, x0, x1, out);
-}
-
-void smoothFineRow(const std::uint32_t* flow, const Image<std::uint32_t>& image, float gain, int y, int x0, int x1,
-                   float* out)
+void smoothRow(const std::uint32_t* flow, bool isFine, const Image<std::uint32_t>& image, float gain, int y, int x0,
+               int x1, float* out)
 {
     constexpr float kSquared = float(FineFlow::kPerUnit) * float(FineFlow::kPerUnit);
-    smoothRowOf<FineCells>(flow, int(limits::kVanishing * kSquared), image, gain, y, x0, x1, out);
+    if (isFine)
+        smoothRowOf<FineCells>(flow, int(limits::kVanishing * kSquared), image, gain, y, x0, x1, out);
+    else
+        smoothRowOf<FlowCells>(flow, int(limits::kVanishing), image, gain, y, x0, x1, out);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE
@@ -159,46 +144,24 @@ namespace aeolic::cpu {
 
 HWY_EXPORT(packRow);
 HWY_EXPORT(smoothRow);
-HWY_EXPORT(smoothFineRow);
-
-namespace {
-
-constexpr std::size_t kRowsAtOnce = 8;
-
-// Calls use(row) for the rows of `compute`, side by side.
-template <class Use>
-void forEachRow(const Extent& compute, const Use& use)
-{
-    parallelRanges(std::size_t(std::max(compute.height(), 0)), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) use(compute.y0 + int(i));
-    });
-}
-
-}  // namespace
 
 void packValues(const GBuffer& buffer, const LicImage& values, const Extent& compute, Image<std::uint32_t>& words)
 {
-    forEachRow(compute, [&](int y) {
+    parallelRows(compute, 8, [&](int y) {
         const ColumnSpan& columns = buffer.surfaceColumns(y);
         const int x0 = std::max(columns.x0, compute.x0), x1 = std::min(columns.x1, compute.x1);
-        std::uint32_t* row = words.row(y);
-        std::fill(row + words.valid().x0, row + x0, 0u);
-        HWY_DYNAMIC_DISPATCH(packRow)(values.row(y), buffer.links.row(y), x0, x1, row);
-        std::fill(row + x1, row + words.valid().x1, 0u);
+        words.clearBeside(y, {x0, x1});
+        HWY_DYNAMIC_DISPATCH(packRow)(values.row(y), buffer.links.row(y), x0, x1, words.row(y));
     });
 }
 
 void smoothAlongFlow(const GBuffer& buffer, const FineFlow* fine, const Image<std::uint32_t>& words, float gain,
                      const Extent& compute, LicImage& out)
 {
-    forEachRow(compute, [&](int y) {
+    parallelRows(compute, 8, [&](int y) {
         const ColumnSpan& columns = buffer.surfaceColumns(y);
         const std::uint32_t* flow = fine ? fine->vectors.row(y) : buffer.flow.row(y);
-        if (fine) {
-            HWY_DYNAMIC_DISPATCH(smoothFineRow)(flow, words, gain, y, columns.x0, columns.x1, out.row(y));
-        } else {
-            HWY_DYNAMIC_DISPATCH(smoothRow)(flow, words, gain, y, columns.x0, columns.x1, out.row(y));
-        }
+        HWY_DYNAMIC_DISPATCH(smoothRow)(flow, fine != nullptr, words, gain, y, columns.x0, columns.x1, out.row(y));
     });
 }
 

@@ -62,13 +62,7 @@ void flattenWords(const float* values, const std::uint32_t* flow, int x0, int x1
         const auto flows = hn::Ne(hn::LoadU(du, flow + x), hn::Zero(du));
         const VU word = hn::IfThenElseZero(flows, hn::BitCast(du, hn::ConvertTo(DI(), within)));
         const auto narrow = hn::DemoteTo(d16, hn::BitCast(DI(), word));
-        if (x + lanes <= x1) {
-            hn::StoreU(narrow, d16, out + x);
-        } else {
-            HWY_ALIGN std::uint16_t some[hn::MaxLanes(du)];
-            hn::StoreU(narrow, d16, some);
-            std::copy_n(some, x1 - x, out + x);
-        }
+        storeUpTo(x1, narrow, x, d16, out);
     }
 }
 
@@ -118,13 +112,7 @@ void flattenRow(const FlattenSums& sums, const std::uint32_t* flow, int x0, int 
         const auto flows = hn::RebindMask(d, hn::Ne(hn::LoadU(du, flow + x), hn::Zero(du)));
         const VF value = hn::LoadU(d, values + x), scaled = hn::Mul(hn::Sub(value, mean), hn::Set(d, flatten::kGain)),
                  flat = hn::IfThenElse(flows, scaled, value);
-        if (x + lanes <= x1) {
-            hn::StoreU(flat, d, values + x);
-        } else {
-            HWY_ALIGN float some[hn::MaxLanes(d)];
-            hn::Store(flat, d, some);
-            std::copy_n(some, x1 - x, values + x);
-        }
+        storeUpTo(x1, flat, x, d, values);
     }
 }
 
@@ -142,18 +130,6 @@ HWY_EXPORT(flattenRow);
 namespace {
 
 constexpr std::size_t kRowsAtOnce = 32;  // The first row of a run sums up all rows of its square.
-
-// The columns of all these rows in which there may be surface.
-ColumnSpan columnsOf(const GBuffer& buffer, int y0, int y1)
-{
-    ColumnSpan all{buffer.valid().x1, buffer.valid().x0};
-    for (int y = y0; y < y1; ++y) {
-        const ColumnSpan& columns = buffer.surfaceColumns(y);
-        if (columns.empty()) continue;
-        all = {std::min(all.x0, columns.x0), std::max(all.x1, columns.x1)};
-    }
-    return all;
-}
 
 // Sums the columns up, from the left to the right.
 void sumBefore(FlattenSums& sums)
@@ -174,7 +150,7 @@ void sumBefore(FlattenSums& sums)
 // Rows [y0, y1) of the values.
 void flattenRows(const GBuffer& buffer, const Image<std::uint16_t>& words, int reach, int y0, int y1, LicImage& values)
 {
-    const ColumnSpan all = columnsOf(buffer, y0, y1);
+    const ColumnSpan all = buffer.surfaceColumns(y0, y1);
     if (all.empty()) return;
     const Extent& held = words.valid();
     FlattenSums sums(std::max(all.x0 - reach, held.x0), std::min(all.x1 + reach, held.x1), reach);
@@ -197,15 +173,12 @@ void FlattenStage::run(const GBuffer& buffer, const LicOptions& lic, const Exten
     const Extent& valid = buffer.valid();
     words_.resize({valid.x0, compute.y0 - around, valid.x1, compute.y1 + around});
     const Extent& held = words_.valid();
-    parallelRanges(std::size_t(std::max(held.height(), 0)), 8, [&](std::size_t begin, std::size_t end) {
-        for (int y = held.y0 + int(begin); y < held.y0 + int(end); ++y) {
-            std::uint16_t* row = words_.row(y);
-            ColumnSpan columns{held.x1, held.x1};
-            if (y >= compute.y0 && y < compute.y1) columns = buffer.surfaceColumns(y);
-            std::fill(row + held.x0, row + columns.x0, std::uint16_t{0});
-            HWY_DYNAMIC_DISPATCH(flattenWords)(values.row(y), buffer.flow.row(y), columns.x0, columns.x1, row);
-            std::fill(row + columns.x1, row + held.x1, std::uint16_t{0});
-        }
+    parallelRows(held, 8, [&](int y) {
+        ColumnSpan columns{held.x1, held.x1};
+        if (y >= compute.y0 && y < compute.y1) columns = buffer.surfaceColumns(y);
+        words_.clearBeside(y, columns);
+        HWY_DYNAMIC_DISPATCH(flattenWords)
+        (values.row(y), buffer.flow.row(y), columns.x0, columns.x1, words_.row(y));
     });
     if (beside) beside->receive(imageRows(words_), reach + more);
 

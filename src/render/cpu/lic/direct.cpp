@@ -9,16 +9,10 @@
 
 #include "render/cpu/lic/contrast-inl.h"
 #include "render/cpu/lic/trace-inl.h"
-#include "render/cpu/lic/tube-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-struct Sums {
-    VF noise, lengthPx, effectivePx;
-    VF own, down, up;  // The parts of lengthPx.
-};
 
 // The vectors of a cell with the sign that is nearer to v's. The negative of a fine vector's word is the word of its
 // negative.
@@ -106,18 +100,19 @@ HWY_INLINE Strand startStrand(const Traces& trace, const FlowVector& origin)
 }
 
 // Follows the streamlines downstream and upstream at once to the end of the kernel or of the traces, adding up weighted
-// noise. One trace alone waits for its own loads; two chains in flight fill the gaps (1.7 times the speed).
+// noise, to the LIC value. One trace alone waits for its own loads; two chains in flight fill the gaps (1.7 times the
+// speed).
 template <Integrator integrator, bool axial, class Cells>
-HWY_INLINE Sums follow(const GBuffer& buffer, const Cells& flow, const LinkImage& links, std::ptrdiff_t from,
-                       const KernelWeights& kernel, Streaks streaks)
+HWY_INLINE VF follow(const DirectPass& pass, const Cells& flow, const LinkImage& links, std::ptrdiff_t from)
 {
     const DF d;
-    const FlowSample origin = flowAtPixel(buffer, flow, from);
-    const float vectorPx = vectorUnitPx(buffer);
+    const KernelWeights& kernel = pass.kernel;
+    const FlowSample origin = flowAtPixel(pass.buffer, flow, from);
+    const float vectorPx = vectorUnitPx(pass.buffer);
     const VF own = ownLength(origin.vector, vectorPx);
     VF noise = hn::Mul(hn::Mul(own, hn::Set(d, kernel.forward[0])), origin.noise);
-    const float tubePx = streaks == Streaks::even ? vectorPx : 0;
-    Traces start = startTraces(buffer, links, from);
+    const float tubePx = pass.streaks == Streaks::even ? vectorPx : 0;
+    Traces start = startTraces(pass.buffer, links, from);
     start.alive = hn::And(start.alive, flowsOn(origin.vector, origin.vector));
     Strand down = startStrand(start, origin.vector), up = startStrand(start, origin.vector);
     for (int i = 1; i <= kernel.steps && !hn::AllFalse(d, hn::Or(down.trace.alive, up.trace.alive)); ++i) {
@@ -126,62 +121,49 @@ HWY_INLINE Sums follow(const GBuffer& buffer, const Cells& flow, const LinkImage
     }
     down.count(noise);
     up.count(noise);
-    const VF lengthPx = hn::Add(own, hn::Add(down.lengthPx, up.lengthPx));
-    const VF effective = effectivePixels(lengthPx, own, down.lengthPx, down.width, up.lengthPx, up.width);
-    return {noise, lengthPx, effective, own, down.lengthPx, up.lengthPx};
+    return licValue(noise, own, down.lengthPx, down.width, up.lengthPx, up.width, pass.contrast);
 }
 
 template <Integrator integrator, bool axial, class Cells>
-void convolveRow(const GBuffer& buffer, const Cells& flow, const KernelWeights& kernel, Streaks streaks,
-                 const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
+void convolveRow(const DirectPass& pass, const Cells& flow, int y, int x0, int x1)
 {
     const DF d;
     const DU du;
-    const LinkImage links(buffer);
-    const Extent& valid = buffer.valid();
+    const LinkImage links(pass.buffer);
+    const Extent& valid = pass.buffer.valid();
     for (int x = x0; x < x1; x += int(hn::Lanes(d))) {
         const std::ptrdiff_t start = (y - valid.y0) * std::ptrdiff_t(links.stride) + (x - valid.x0);
-        const auto active = hn::Ne(hn::LoadU(du, buffer.flow.origin() + start), hn::Zero(du));
+        const auto active = hn::Ne(hn::LoadU(du, pass.buffer.flow.origin() + start), hn::Zero(du));
         if (hn::AllFalse(du, active)) {
-            hn::StoreU(hn::Zero(d), d, out.row(y) + x);
+            hn::StoreU(hn::Zero(d), d, pass.out.row(y) + x);
             continue;
         }
-        const Sums sums = follow<integrator, axial>(buffer, flow, links, start, kernel, streaks);
-        VF value = licValue(sums.noise, sums.lengthPx, sums.effectivePx, contrast);
-        if (contrast.phased()) value = hn::Mul(value, phaseGain(sums.own, sums.down, sums.up, contrast));
-        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), value), d, out.row(y) + x);
+        const VF value = follow<integrator, axial>(pass, flow, links, start);
+        hn::StoreU(hn::IfThenElseZero(hn::RebindMask(d, active), value), d, pass.out.row(y) + x);
     }
 }
 
 template <bool axial, class Cells>
-void convolveTileRow(const GBuffer& buffer, const Cells& flow, Integrator integrator, const KernelWeights& kernel,
-                     Streaks streaks, const ContrastModel& contrast, int y, int x0, int x1, LicImage& out)
+void convolveRowBy(const DirectPass& pass, const Cells& flow, int y, int x0, int x1)
 {
-    switch (integrator) {
+    switch (pass.integrator) {
         case Integrator::euler:
-            return convolveRow<Integrator::euler, axial>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
+            return convolveRow<Integrator::euler, axial>(pass, flow, y, x0, x1);
         case Integrator::rk2:
-            return convolveRow<Integrator::rk2, axial>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
+            return convolveRow<Integrator::rk2, axial>(pass, flow, y, x0, x1);
         case Integrator::rk4:
-            return convolveRow<Integrator::rk4, axial>(buffer, flow, kernel, streaks, contrast, y, x0, x1, out);
+            return convolveRow<Integrator::rk4, axial>(pass, flow, y, x0, x1);
     }
 }
 
-void convolveUsualTileRow(const GBuffer& buffer, const FlowCells& flow, Integrator integrator,
-                          const KernelWeights& kernel, Streaks streaks, const ContrastModel& contrast, int y, int x0,
-                          int x1, LicImage& out)
+void convolveUsualRow(const DirectPass& pass, const FlowCells& flow, int y, int x0, int x1)
 {
-    convolveTileRow<false>(buffer, flow, integrator, kernel, streaks, contrast, y, x0, x1, out);
+    convolveRowBy<false>(pass, flow, y, x0, x1);
 }
 
-void convolveFineTileRow(const GBuffer& buffer, const FineCells& flow, Integrator integrator,
-                         const KernelWeights& kernel, Streaks streaks, const ContrastModel& contrast, int y, int x0,
-                         int x1, LicImage& out)
+void convolveFineRow(const DirectPass& pass, const FineCells& flow, int y, int x0, int x1)
 {
-    if (flow.flow->axial)
-        convolveTileRow<true>(buffer, flow, integrator, kernel, streaks, contrast, y, x0, x1, out);
-    else
-        convolveTileRow<false>(buffer, flow, integrator, kernel, streaks, contrast, y, x0, x1, out);
+    flow.flow->axial ? convolveRowBy<true>(pass, flow, y, x0, x1) : convolveRowBy<false>(pass, flow, y, x0, x1);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE
@@ -190,22 +172,22 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace aeolic::cpu {
 
-HWY_EXPORT(convolveUsualTileRow);
-HWY_EXPORT(convolveFineTileRow);
+HWY_EXPORT(convolveUsualRow);
+HWY_EXPORT(convolveFineRow);
 
 namespace {
 
-template <class Cells, class Convolve>
-void convolve(const GBuffer& buffer, const Cells& flow, const LicOptions& lic, const Extent& compute, LicImage& out,
-              const Convolve& convolveTileRow)
+// Calls convolveRow(pass, y, x0, x1) for the surface's part of each row of each tile.
+template <class ConvolveRow>
+void convolve(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, LicImage& out,
+              const ConvolveRow& convolveRow)
 {
-    const KernelWeights kernel = makeKernelWeights(makeKernelModel(lic));
-    const ContrastModel contrast = makeContrastModel(lic);
+    const DirectPass pass{
+        buffer, makeKernelWeights(makeKernelModel(lic)), makeContrastModel(lic), lic.integrator, lic.streaks, out};
     forEachTile(compute, 64, 16, [&](const Extent& tile) {
         for (int y = tile.y0; y < tile.y1; ++y) {
             const ColumnSpan surface = buffer.surfaceColumns(y);
-            convolveTileRow(buffer, flow, lic.integrator, kernel, lic.streaks, contrast, y,
-                            std::max(tile.x0, surface.x0), std::min(tile.x1, surface.x1), out);
+            convolveRow(pass, y, std::max(tile.x0, surface.x0), std::min(tile.x1, surface.x1));
         }
     });
 }
@@ -215,16 +197,16 @@ void convolve(const GBuffer& buffer, const Cells& flow, const LicOptions& lic, c
 void convolveDirect(const GBuffer& buffer, const FlowCells& flow, const LicOptions& lic, const Extent& compute,
                     LicImage& out)
 {
-    convolve(buffer, flow, lic, compute, out, [](auto&&... arguments) {
-        HWY_DYNAMIC_DISPATCH(convolveUsualTileRow)(arguments...);
+    convolve(buffer, lic, compute, out, [&](const DirectPass& pass, int y, int x0, int x1) {
+        HWY_DYNAMIC_DISPATCH(convolveUsualRow)(pass, flow, y, x0, x1);
     });
 }
 
 void convolveDirect(const GBuffer& buffer, const FineCells& flow, const LicOptions& lic, const Extent& compute,
                     LicImage& out)
 {
-    convolve(buffer, flow, lic, compute, out, [](auto&&... arguments) {
-        HWY_DYNAMIC_DISPATCH(convolveFineTileRow)(arguments...);
+    convolve(buffer, lic, compute, out, [&](const DirectPass& pass, int y, int x0, int x1) {
+        HWY_DYNAMIC_DISPATCH(convolveFineRow)(pass, flow, y, x0, x1);
     });
 }
 

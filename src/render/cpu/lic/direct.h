@@ -6,6 +6,16 @@
 
 namespace aeolic::cpu {
 
+/// What the kernels of one convolution read and write.
+struct DirectPass {
+    const GBuffer& buffer;
+    KernelWeights kernel;
+    ContrastModel contrast;
+    Integrator integrator;
+    Streaks streaks;
+    LicImage& out;
+};
+
 /// Local. The line integral of every pixel of `compute` by stepping its streamline both ways (`--lic direct`).
 /// Reads the G-buffer as far as its traces go: at most steps * maxStepPx beyond `compute`.
 /// Cost: one 128-bit load and about 70 vector operations a sample; Euler 1, RK2 2, RK4 4 samples a step.

@@ -24,20 +24,17 @@ void FineCells::build(const GBuffer& buffer, const FineFlow& from)
     const Extent& valid = buffer.valid();
     cells.resize(valid);
     noises.resize(valid);
-    parallelRanges(std::size_t(valid.height() + 1), 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int y = valid.y0 - 1 + int(i);
-            const std::uint32_t *upper = from.vectors.row(y), *lower = from.vectors.row(y + 1);
-            const std::uint16_t *upperNoise = from.noise.row(y), *lowerNoise = from.noise.row(y + 1);
-            const std::uint8_t* links = buffer.links.row(y);
-            FlowCell* cell = cells.row(y);
-            std::uint64_t* noise = noises.row(y);
-            for (int x = valid.x0 - 1; x < valid.x1; ++x) {
-                const std::uint32_t open = isOpen(links + x, buffer.links.stride()) ? 1 : 0;
-                cell[x] = {{(upper[x] & ~1U) | open, upper[x + 1], lower[x], lower[x + 1]}};
-                noise[x] = std::uint64_t{upperNoise[x]} | std::uint64_t{upperNoise[x + 1]} << 16 |
-                           std::uint64_t{lowerNoise[x]} << 32 | std::uint64_t{lowerNoise[x + 1]} << 48;
-            }
+    parallelRows({valid.x0, valid.y0 - 1, valid.x1, valid.y1}, 16, [&](int y) {
+        const std::uint32_t *upper = from.vectors.row(y), *lower = from.vectors.row(y + 1);
+        const std::uint16_t *upperNoise = from.noise.row(y), *lowerNoise = from.noise.row(y + 1);
+        const std::uint8_t* links = buffer.links.row(y);
+        FlowCell* cell = cells.row(y);
+        std::uint64_t* noise = noises.row(y);
+        for (int x = valid.x0 - 1; x < valid.x1; ++x) {
+            const std::uint32_t open = isOpen(links + x, buffer.links.stride()) ? 1 : 0;
+            cell[x] = {{(upper[x] & ~1U) | open, upper[x + 1], lower[x], lower[x + 1]}};
+            noise[x] = std::uint64_t{upperNoise[x]} | std::uint64_t{upperNoise[x + 1]} << 16 |
+                       std::uint64_t{lowerNoise[x]} << 32 | std::uint64_t{lowerNoise[x + 1]} << 48;
         }
     });
 }

@@ -11,6 +11,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "render/cpu/simd/vectors-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -18,10 +20,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Texels of one row from column x0 of the valid extent on: the flow with the noise sharpened, packed for the tracer.
 void texelRow(const GBuffer& buffer, int y, int x0, int x1, float sharpness, float noiseUnit, Image<std::uint32_t>& out)
 {
-    const hn::ScalableTag<std::uint32_t> d;
-    const hn::RebindToFloat<decltype(d)> df;
-    const hn::RebindToSigned<decltype(d)> di;
-    const hn::Rebind<std::uint8_t, decltype(d)> d8;
+    const DU d;
+    const DF df;
+    const DI di;
+    const hn::Rebind<std::uint8_t, DU> d8;
     const std::ptrdiff_t stride = buffer.flow.stride(), row = (y - buffer.valid().y0) * stride;
     const std::uint32_t* flow = buffer.flow.origin() + row;
     const auto noiseOf = [&](auto texel) {
@@ -67,19 +69,14 @@ void texelRow(const GBuffer& buffer, int y, int x0, int x1, float sharpness, flo
 void cellRow(const Image<std::uint32_t>& texels, const Image<std::uint8_t>& linkMasks, int y, int begin, int end,
              FlowCell* out)
 {
-    const hn::ScalableTag<std::uint32_t> d;
-    const hn::Rebind<std::uint8_t, decltype(d)> d8;
+    const DU d;
     const int lanes = int(hn::Lanes(d)), x0 = texels.valid().x0;
     const std::uint32_t *upper = texels.row(y) + x0, *lower = upper + texels.stride();
     const std::uint8_t* links = linkMasks.row(y) + x0;
     const auto one = hn::Set(d, 1u);
     // From a vector before, so that cell -1 is there, to the end; zeros beyond the image.
     for (int x = begin - lanes; x < end; x += lanes) {
-        auto all = hn::Set(d8, std::uint8_t{0xFF});
-        for (int row = -limits::kOpenRings; row <= 1 + limits::kOpenRings; ++row)
-            for (int column = -limits::kOpenRings; column <= 1 + limits::kOpenRings; ++column)
-                all = hn::And(all, hn::LoadU(d8, links + row * linkMasks.stride() + x + column));
-        const auto open = hn::IfThenElseZero(hn::Eq(hn::PromoteTo(d, all), hn::Set(d, 0xFFu)), one);
+        const auto open = hn::IfThenElseZero(openTo(links + x, linkMasks.stride(), 1 + limits::kOpenRings), one);
         // The first texel's noise takes an even value, up or down by chance, and the flag is put beside it. The
         // bits of a cell must not depend on links farther away than traces go, which a rank may not have.
         const auto texel = hn::LoadU(d, upper + x);
@@ -110,23 +107,17 @@ void FlowCells::build(const GBuffer& buffer, const NearFlow& near, float sharpne
     const int first = std::max(fresh.changedFrom(0, 0, valid), rows.y0);
     const int firstTexel = std::max(first - 1, valid.y0), endTexel = std::min(rows.y1 + 1, valid.y1);
     texels_.resizeFrom(valid, firstTexel);
-    parallelRanges(std::size_t(endTexel - firstTexel), 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int y = firstTexel + int(i);
-            const ColumnSpan columns = columnsOf(y);
-            if (columns.empty()) continue;
-            HWY_DYNAMIC_DISPATCH(texelRow)
-            (buffer, y, columns.x0 - valid.x0, columns.x1 - valid.x0, sharpness, noiseUnit, texels_);
-        }
+    parallelRows({valid.x0, firstTexel, valid.x1, endTexel}, 16, [&](int y) {
+        const ColumnSpan columns = columnsOf(y);
+        if (columns.empty()) return;
+        HWY_DYNAMIC_DISPATCH(texelRow)
+        (buffer, y, columns.x0 - valid.x0, columns.x1 - valid.x0, sharpness, noiseUnit, texels_);
     });
-    parallelRanges(std::size_t(rows.y1 - first + 1), 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int y = first - 1 + int(i);
-            const ColumnSpan columns = columnsOf(y);
-            if (columns.empty()) continue;
-            HWY_DYNAMIC_DISPATCH(cellRow)
-            (texels_, buffer.links, y, columns.x0 - valid.x0, columns.x1 - valid.x0, cells.row(y) + valid.x0);
-        }
+    parallelRows({valid.x0, first - 1, valid.x1, rows.y1}, 16, [&](int y) {
+        const ColumnSpan columns = columnsOf(y);
+        if (columns.empty()) return;
+        HWY_DYNAMIC_DISPATCH(cellRow)
+        (texels_, buffer.links, y, columns.x0 - valid.x0, columns.x1 - valid.x0, cells.row(y) + valid.x0);
     });
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "render/cpu/lic/cpu_jump_boxes.h"
 
 namespace aeolic::cpu {
 namespace {
@@ -18,11 +17,7 @@ void prepareLevel(JumpLevel& level, int stride, const GBuffer& buffer, const Fre
     fresh.prepare(level.jumps, buffer.valid(), first);
     if (weighted) fresh.prepare(level.weighted, buffer.valid(), first);
     level.stride = stride;
-    const JumpUnits units = jumpUnits(stride, buffer.flowUnitPx);
-    level.displacementUnitPx = units.displacementPx;
-    level.sumUnit = units.sum;
-    level.lengthUnitPx = units.lengthPx;
-    level.weightedUnit = units.weighted;
+    level.units = jumpUnits(stride, buffer.flowUnitPx);
 }
 
 // The first row of a level that is looked up: by the next level, or from anywhere in the picture.
@@ -32,17 +27,18 @@ int firstLookedUp(const JumpPlan& plan, std::size_t level, const FreshRows& fres
     return fresh.readFrom(plan.stride(level + 1), int(level) + 2, valid);
 }
 
-void prepareDirection(const KernelModel& kernel, const JumpPlan& plan, const GBuffer& buffer, const FreshRows& fresh,
-                      float sign, JumpHierarchy& jumps)
+void prepareDirection(const HierarchicalPass& pass, const FreshRows& fresh, float sign, JumpHierarchy& jumps)
 {
-    const Extent& valid = buffer.valid();
-    const bool weighted = kernel.weighted();
+    const JumpPlan& plan = pass.memory.plan;
+    const Extent& valid = pass.buffer.valid();
+    const bool weighted = pass.kernel.weighted();
     jumps.sign = sign;
-    while (jumps.levels.size() < plan.digits.size()) jumps.levels.push_back(std::make_unique<JumpLevel>());
+    if (jumps.levels.size() < plan.digits.size()) jumps.levels.resize(plan.digits.size());
     for (std::size_t i = 0; i < plan.digits.size(); ++i)
-        prepareLevel(*jumps.levels[i], plan.stride(i), buffer, fresh, firstLookedUp(plan, i, fresh, valid), weighted);
-    if (plan.remainder > 0) prepareLevel(jumps.remainder, plan.remainder, buffer, fresh, valid.y0, weighted);
-    jumps.turns = turnsOf(kernel, sign);
+        prepareLevel(jumps.levels[i], plan.stride(i), pass.buffer, fresh, firstLookedUp(plan, i, fresh, valid),
+                     weighted);
+    if (plan.remainder > 0) prepareLevel(jumps.remainder, plan.remainder, pass.buffer, fresh, valid.y0, weighted);
+    jumps.turns = turnsOf(pass.kernel, sign);
 }
 
 // Images of a level of jumps in one direction.
@@ -66,30 +62,31 @@ JumpFootprint unitedFootprint(const std::vector<JumpFootprint>& directions)
 
 // The highest level is the one looked up furthest away, but where jumps lead is known by now, and little of all those
 // rows is on the way.
-void receiveHighest(GBuffer& buffer, const JumpPlan& plan, const std::vector<JumpBoxes>& boxes, bool weighted,
-                    Hierarchy& memory, GuardExchange& guards)
+void receiveHighest(const HierarchicalPass& pass, const std::vector<JumpBoxes>& boxes, GuardExchange& guards)
 {
+    const JumpPlan& plan = pass.memory.plan;
     const std::size_t top = plan.digits.size() - 1;
     const std::vector<JumpFootprint> reached = guards.reached(boxes, plan.levelReach(top), plan.digits[top] - 1);
     std::vector<GuardPart> parts;
-    for (std::size_t k = 0; k < memory.directions.size(); ++k)
-        parts.push_back({levelImages(*memory.directions[k].levels[top], weighted), plan.levelReach(top),
-                         reached.empty() ? nullptr : &reached[k]});
+    for (std::size_t k = 0; k < pass.memory.directions.size(); ++k)
+        parts.push_back({levelImages(pass.memory.directions[k].levels[top], pass.kernel.weighted()),
+                         plan.levelReach(top), reached.empty() ? nullptr : &reached[k]});
     // Links are the same for both directions, and the nearest came with the level before.
     const JumpFootprint anyWay = reached.empty() ? JumpFootprint{} : unitedFootprint(reached);
-    parts.push_back({{imageRows(buffer.links)},
+    parts.push_back({{imageRows(pass.buffer.links)},
                      plan.levelReach(top),
                      reached.empty() ? nullptr : &anyWay,
                      plan.linkReach(top - 1)});
     guards.receive(parts);
 }
 
-void receiveLevel(GBuffer& buffer, const JumpPlan& plan, std::size_t i, bool weighted, Hierarchy& memory,
-                  GuardExchange& guards)
+void receiveLevel(const HierarchicalPass& pass, std::size_t i, GuardExchange& guards)
 {
-    std::vector<GuardPart> parts{{{imageRows(buffer.links)}, plan.linkReach(i)}};
-    for (JumpHierarchy& jumps : memory.directions) {
-        parts.push_back({levelImages(*jumps.levels[i], weighted), plan.levelReach(i)});
+    const JumpPlan& plan = pass.memory.plan;
+    const bool weighted = pass.kernel.weighted();
+    std::vector<GuardPart> parts{{{imageRows(pass.buffer.links)}, plan.linkReach(i)}};
+    for (JumpHierarchy& jumps : pass.memory.directions) {
+        parts.push_back({levelImages(jumps.levels[i], weighted), plan.levelReach(i)});
         if (i == 0 && plan.remainder > 0)
             parts.push_back({levelImages(jumps.remainder, weighted), plan.remainderReach()});
     }
@@ -102,25 +99,13 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
                           const Extent& compute, GuardExchange* guards, const FreshRows& fresh, Hierarchy& memory,
                           LicImage& out)
 {
-    if (memory.plannedSteps != lic.steps) {
-        memory.plan = planJumps(lic.steps);
-        memory.plannedSteps = lic.steps;
-    }
+    if (memory.plan.steps() != lic.steps) memory.plan = planJumps(lic.steps);
     const JumpPlan& plan = memory.plan;
     const KernelModel kernel = makeKernelModel(lic);
-    prepareDirection(kernel, plan, buffer, fresh, 1, memory.directions[0]);
-    prepareDirection(kernel, plan, buffer, fresh, -1, memory.directions[1]);
-    const HierarchicalPass pass{&memory,
-                                &plan,
-                                kernel.weighted(),
-                                lic.streaks,
-                                kernel.ofPlain,
-                                kernel.ofFirst,
-                                kernel.ofSecond,
-                                float(kernel.weight(0)),
-                                makeContrastModel(lic),
-                                &near,
-                                &out};
+    const HierarchicalPass pass{
+        buffer, near, memory, kernel, float(kernel.weight(0)), lic.streaks, makeContrastModel(lic), out};
+    prepareDirection(pass, fresh, 1, memory.directions[0]);
+    prepareDirection(pass, fresh, -1, memory.directions[1]);
     const auto tiles = [](const Extent& extent, const auto& body) {
         forEachTile(extent, kTileWidth, kTileHeight, body);
     };
@@ -129,25 +114,25 @@ void convolveHierarchical(GBuffer& buffer, const FlowCells& flow, const NearFlow
         if (!guards) rows.y0 = fresh.changedFrom(plan.stride(level), int(level) + 1, rows);
         return rows;
     };
-    tiles(rowsOf(0), [&](const Extent& tile) { walkDirectTile(buffer, flow, pass, tile); });
-    if (guards) receiveLevel(buffer, plan, 0, pass.weighted, memory, *guards);
+    tiles(rowsOf(0), [&](const Extent& tile) { walkDirectTile(pass, flow, tile); });
+    if (guards) receiveLevel(pass, 0, *guards);
     for (std::size_t i = 0; i < plan.radix.size(); ++i) {
         std::vector<JumpBoxes> boxes;
         const bool highest = i + 1 == plan.radix.size();
         for (const JumpHierarchy& jumps : memory.directions)
-            if (guards && highest) boxes.push_back(emptyBoxes(*jumps.levels[i + 1], compute));
+            if (guards && highest) boxes.push_back(emptyBoxes(jumps.levels[i + 1], compute));
         tiles(rowsOf(i + 1), [&](const Extent& tile) {
-            joinJumpsTile(buffer, pass, i, plan.radix[i], tile);
+            joinJumpsTile(pass, i, tile);
             for (std::size_t k = 0; k < boxes.size(); ++k)
-                addBoxes(*memory.directions[k].levels[i + 1], near, compute, tile, boxes[k]);
+                addBoxes(memory.directions[k].levels[i + 1], near, compute, tile, boxes[k]);
         });
         if (!guards) continue;
         if (highest)
-            receiveHighest(buffer, plan, boxes, pass.weighted, memory, *guards);
+            receiveHighest(pass, boxes, *guards);
         else
-            receiveLevel(buffer, plan, i + 1, pass.weighted, memory, *guards);
+            receiveLevel(pass, i + 1, *guards);
     }
-    tiles(compute, [&](const Extent& tile) { finishTile(buffer, pass, tile); });
+    tiles(compute, [&](const Extent& tile) { finishTile(pass, tile); });
 }
 
 }  // namespace aeolic::cpu

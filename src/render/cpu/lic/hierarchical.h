@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
+
 #include <vector>
 
 #include "base/image.h"
@@ -17,24 +17,24 @@ namespace aeolic::cpu {
 /// Where the streamline of each pixel is after `stride` steps in one direction, and the noise summed on the way: the
 /// hierarchy's φ_k and S_k (Hlawatsch, Sadlo & Weiskopf 2011). 64 bits a pixel, so that a 128-bit load brings two
 /// neighbours:
-///   bits  0 … 15  displacement in x, signed, in `displacementUnitPx`
+///   bits  0 … 15  displacement in x, signed, in `units.displacementPx`
 ///   bits 16 … 31  displacement in y
 ///   bit  32       the pixel and its neighbours are linked to all eight neighbours each
 ///   bit  33       the trace walked all its steps and may go on
-///   bits 34 … 43  pixels walked, weighted by the stream tube's width, in `lengthUnitPx`
-///   bits 44 … 55  sum of noise bytes times those pixels, signed, in `sumUnit`
+///   bits 34 … 43  pixels walked, weighted by the stream tube's width, in `units.lengthPx`
+///   bits 44 … 55  sum of noise bytes times those pixels, signed, in `units.sum`
 ///   bits 56 … 63  the tube's width at the end, in 255ths of that at the start
 struct JumpLevel {
     Image<std::uint64_t> jumps;
     Image<std::uint32_t> weighted;  ///< The two sums weighted by the kernel's pair, 16 bits each, where it has one.
     int stride = 0;
-    float displacementUnitPx = 1, sumUnit = 1, lengthUnitPx = 1, weightedUnit = 1;
+    JumpUnits units{1, 1, 1, 1};
 };
 
 /// The jumps in one direction, and what their steps make of weighted sums.
 struct JumpHierarchy {
     float sign = 1;  ///< 1 downstream, -1 upstream.
-    std::vector<std::unique_ptr<JumpLevel>> levels;
+    std::vector<JumpLevel> levels;
     JumpLevel remainder;
     std::vector<Turn> turns;  ///< turnsOf() the kernel.
 };
@@ -42,31 +42,36 @@ struct JumpHierarchy {
 /// Memory of the hierarchical method, kept between frames.
 struct Hierarchy {
     std::array<JumpHierarchy, 2> directions;
-    int plannedSteps = 0;
-    JumpPlan plan;  ///< For plannedSteps.
+    JumpPlan plan;
 };
 
 /// What the kernels of one convolution read and write.
 struct HierarchicalPass {
-    Hierarchy* memory;
-    const JumpPlan* plan;
-    bool weighted;
+    GBuffer& buffer;
+    const NearFlow& near;
+    Hierarchy& memory;
+    KernelModel kernel;
+    float ownWeight;  ///< The kernel's at the pixel itself.
     Streaks streaks;
-    float ofPlain, ofFirst, ofSecond, ownWeight;  ///< Of the kernel.
     ContrastModel contrast;
-    const NearFlow* near;
-    LicImage* out;
+    LicImage& out;
 };
 
 /// Local. Walks the first steps from each pixel of a tile one by one: the lowest level, and the remainder's.
-void walkDirectTile(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile);
+void walkDirectTile(const HierarchicalPass& pass, const FlowCells& flow, const Extent& tile);
 
-/// Local. Joins `radix` jumps of level `from` to one of the next for each pixel of a tile.
-void joinJumpsTile(const GBuffer& buffer, const HierarchicalPass& pass, std::size_t from, int radix,
-                   const Extent& tile);
+/// Local. Joins jumps of level `from` to one of the next for each pixel of a tile.
+void joinJumpsTile(const HierarchicalPass& pass, std::size_t from, const Extent& tile);
 
 /// Local. The kernel's whole length for each pixel of a tile: its LIC values.
-void finishTile(const GBuffer& buffer, const HierarchicalPass& pass, const Extent& tile);
+void finishTile(const HierarchicalPass& pass, const Extent& tile);
+
+/// Boxes without jumps for the stripe `own`, to be filled tile by tile.
+JumpBoxes emptyBoxes(const JumpLevel& level, const Extent& own);
+
+/// Local. Those of a tile of `own`, of whole blocks but for the stripe's ends; x0 of the image is 0. `near`: where
+/// jumps have been written. One pass over them, best while a cache has them.
+void addBoxes(const JumpLevel& level, const NearFlow& near, const Extent& own, const Extent& tile, JumpBoxes& boxes);
 
 /// Local. The line integral by composed jumps (`--lic hierarchical`): a few direct steps, then levels of jumps, each
 /// joined from the one below, then as many jumps as the kernel is long. O(log steps) look-ups, two 128-bit loads each.

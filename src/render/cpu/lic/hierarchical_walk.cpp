@@ -8,7 +8,6 @@
 #include "render/cpu/lic/contrast-inl.h"
 #include "render/cpu/lic/jumps-inl.h"
 #include "render/cpu/lic/trace-inl.h"
-#include "render/cpu/lic/tube-inl.h"
 #include "render/cpu/simd/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -77,23 +76,24 @@ HWY_INLINE Walker<kWeighted, kEven> startWalker(JumpHierarchy& jumps, const Trac
 // look-up is both a Runge-Kutta stage and a noise sample, half the cost of unit RK2 steps at nearly their accuracy.
 // Both directions at once, so that one's arithmetic hides the other's loads: each asks before either goes.
 template <bool kWeighted, bool kEven>
-void walkDirect(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
+void walkDirect(const HierarchicalPass& pass, const FlowCells& flow, const Extent& tile)
 {
     using OneWay = Walker<kWeighted, kEven>;
+    const GBuffer& buffer = pass.buffer;
     const LinkImage links(buffer);
     const DF d;
-    const int steps = pass.plan->direct, remainder = pass.plan->remainder;
+    const int steps = pass.memory.plan.direct, remainder = pass.memory.plan.remainder;
     const float vectorPx = vectorUnitPx(buffer);
     const auto walk = [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
         prefetchBelow(flow.cells, at, steps + 1, hn::Lanes(d));
-        for (const JumpHierarchy& jumps : pass.memory->directions) prefetchToWrite<kWeighted>(*jumps.levels[0], at);
+        for (const JumpHierarchy& jumps : pass.memory.directions) prefetchToWrite<kWeighted>(jumps.levels[0], at);
         const FlowVector origin = flowAtPixel(buffer, at).vector;
         const MU open = openAt(buffer, at);
         Traces start = startTraces(buffer, links, at);
         const MF hasFlow = start.alive;
         start.alive = hn::And(start.alive, flowsOn(origin, origin));
-        auto down = startWalker<kWeighted, kEven>(pass.memory->directions[0], start, origin, vectorPx);
-        auto up = startWalker<kWeighted, kEven>(pass.memory->directions[1], start, origin, vectorPx);
+        auto down = startWalker<kWeighted, kEven>(pass.memory.directions[0], start, origin, vectorPx);
+        auto up = startWalker<kWeighted, kEven>(pass.memory.directions[1], start, origin, vectorPx);
         // A copy is asked: a walker that goes on counts its last sample then.
         const auto store = [&](OneWay w, JumpLevel& level, int step) AEOLIC_INLINE {
             w.count(step);
@@ -119,27 +119,24 @@ void walkDirect(const GBuffer& buffer, const FlowCells& flow, const Hierarchical
             up.go(flow, links, upWhole, i + 1);
             if (i + 1 == remainder) storeRemainder(i + 1);
         }
-        store(down, *down.jumps.levels[0], steps);
-        store(up, *up.jumps.levels[0], steps);
+        store(down, down.jumps.levels[0], steps);
+        store(up, up.jumps.levels[0], steps);
     };
-    forEachVectorNear(buffer, *pass.near, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
-        for (JumpHierarchy& jumps : pass.memory->directions) {
-            storeNoJump<kWeighted>(*jumps.levels[0], at);
+    forEachVectorNear(buffer, pass.near, tile, walk, [&](std::ptrdiff_t at, int, int) AEOLIC_INLINE {
+        for (JumpHierarchy& jumps : pass.memory.directions) {
+            storeNoJump<kWeighted>(jumps.levels[0], at);
             if (remainder > 0) storeNoJump<kWeighted>(jumps.remainder, at);
         }
     });
 }
 
-template <bool kWeighted>
-void walkDirectHow(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
+void walkDirectAny(const HierarchicalPass& pass, const FlowCells& flow, const Extent& tile)
 {
-    pass.streaks == Streaks::even ? walkDirect<kWeighted, true>(buffer, flow, pass, tile)
-                                  : walkDirect<kWeighted, false>(buffer, flow, pass, tile);
-}
-
-void walkDirectAny(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
-{
-    pass.weighted ? walkDirectHow<true>(buffer, flow, pass, tile) : walkDirectHow<false>(buffer, flow, pass, tile);
+    const bool even = pass.streaks == Streaks::even;
+    if (pass.kernel.weighted())
+        even ? walkDirect<true, true>(pass, flow, tile) : walkDirect<true, false>(pass, flow, tile);
+    else
+        even ? walkDirect<false, true>(pass, flow, tile) : walkDirect<false, false>(pass, flow, tile);
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE
@@ -150,9 +147,9 @@ namespace aeolic::cpu {
 
 HWY_EXPORT(walkDirectAny);
 
-void walkDirectTile(const GBuffer& buffer, const FlowCells& flow, const HierarchicalPass& pass, const Extent& tile)
+void walkDirectTile(const HierarchicalPass& pass, const FlowCells& flow, const Extent& tile)
 {
-    HWY_DYNAMIC_DISPATCH(walkDirectAny)(buffer, flow, pass, tile);
+    HWY_DYNAMIC_DISPATCH(walkDirectAny)(pass, flow, tile);
 }
 
 }  // namespace aeolic::cpu

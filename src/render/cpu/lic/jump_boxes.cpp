@@ -1,4 +1,4 @@
-#include "render/cpu/lic/cpu_jump_boxes.h"
+#include "render/cpu/lic/hierarchical.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/lic/jump_boxes.cpp"
@@ -68,14 +68,13 @@ ColumnSpan blocksNear(const ColumnSpan& near, int width)
 
 void boxesOfRows(const JumpLevel& level, const NearFlow& near, const Extent& extent, JumpBox* boxes)
 {
-    const ColumnSpan within{extent.x0 / kColumns, JumpBoxes::columnsOf(extent.x1)};
-    ColumnSpan spans[kRows], all{within.x1, within.x0};
+    ColumnSpan spans[kRows], all;
     for (int y = extent.y0; y < extent.y1; ++y) {
-        const ColumnSpan span = spans[y - extent.y0] = blocksNear(near.at(y), level.jumps.valid().x1);
-        if (span.empty()) continue;
-        all = {std::max(std::min(all.x0, span.x0), within.x0), std::min(std::max(all.x1, span.x1), within.x1)};
+        spans[y - extent.y0] = blocksNear(near.at(y), level.jumps.valid().x1);
+        all = all.with(spans[y - extent.y0]);
     }
-    for (int c = all.x0; c < all.x1; ++c) {
+    const int end = std::min(all.x1, JumpBoxes::columnsOf(extent.x1));
+    for (int c = std::max(all.x0, extent.x0 / kColumns); c < end; ++c) {
         int rows[kRows], count = 0;
         for (int y = extent.y0; y < extent.y1; ++y) {
             rows[count] = y;
@@ -96,7 +95,7 @@ HWY_EXPORT(boxesOfRows);
 JumpBoxes emptyBoxes(const JumpLevel& level, const Extent& own)
 {
     const int columns = JumpBoxes::columnsOf(own.width());
-    return {level.displacementUnitPx * float(1 << kUnitBits), columns,
+    return {level.units.displacementPx * float(1 << kUnitBits), columns,
             std::vector<JumpBox>(std::size_t(JumpBoxes::rowsOf(own.height())) * std::size_t(columns))};
 }
 

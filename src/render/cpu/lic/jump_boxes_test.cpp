@@ -1,4 +1,4 @@
-#include "render/cpu/lic/cpu_jump_boxes.h"
+#include "render/cpu/lic/hierarchical.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ std::uint64_t jump(int dx, int dy)
 JumpLevel levelOf(const Extent& valid)
 {
     JumpLevel level;
-    level.displacementUnitPx = 0.25f;
+    level.units.displacementPx = 0.25f;
     level.jumps.resize(valid);
     for (int y = valid.y0; y < valid.y1; ++y) std::fill_n(level.jumps.row(y) + valid.x0, valid.width(), 0u);
     return level;

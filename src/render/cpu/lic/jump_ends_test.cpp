@@ -44,8 +44,8 @@ std::vector<float> farthestDown(GBuffer& buffer, const LicOptions& lic)
         int most = 0;
         for (int y = 0; y < kImage.height(); ++y)
             for (int x = 0; x < kImage.width(); ++x)
-                most = std::max(most, int(std::int16_t(level->jumps.at(x, y) >> 16)));
-        farthest.push_back(float(most) * level->displacementUnitPx);
+                most = std::max(most, int(std::int16_t(level.jumps.at(x, y) >> 16)));
+        farthest.push_back(float(most) * level.units.displacementPx);
     }
     return farthest;
 }

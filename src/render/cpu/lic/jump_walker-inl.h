@@ -98,7 +98,7 @@ HWY_INLINE void moveByJump(const JumpLevel& level, JumpLookup& look, const LinkI
     // around it that the sheet's pixel needs.
     const VU nearestPlace = taps.pick(upper.a, upper.c, lower.a, lower.c);
     const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-    const VF go = hn::IfThenElseZero(t.alive, hn::Set(d, level.displacementUnitPx * kHalfUnit));
+    const VF go = hn::IfThenElseZero(t.alive, hn::Set(d, level.units.displacementPx * kHalfUnit));
     const auto fromCell = [&](VF weight) AEOLIC_INLINE {
         return hn::Sub(hn::IfThenElse(hn::Ge(weight, half), one, zero), weight);
     };
@@ -132,9 +132,9 @@ HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const Li
     const DU du;
     // The jump's weights count from its own start.
     const VF width = hn::IfThenElseZero(gain.reached, walk.width);
-    walk.sum = hn::MulAdd(hn::Mul(gain.sum, hn::Set(d, level.sumUnit * kSumUnit)), width, walk.sum);
+    walk.sum = hn::MulAdd(hn::Mul(gain.sum, hn::Set(d, level.units.sum * kSumUnit)), width, walk.sum);
     walk.lengthPx =
-        hn::MulAdd(hn::Mul(gain.length, hn::Set(d, level.lengthUnitPx * kLengthUnit)), width, walk.lengthPx);
+        hn::MulAdd(hn::Mul(gain.length, hn::Set(d, level.units.lengthPx * kLengthUnit)), width, walk.lengthPx);
     walk.width = hn::IfThenElse(gain.reached, hn::Mul(width, hn::Mul(gain.width, hn::Set(d, kWidthUnit))), walk.width);
     if constexpr (kWeighted) {
         const auto* from = links.base(level.weighted);
@@ -144,7 +144,7 @@ HWY_INLINE void countJump(const JumpLevel& level, const JumpGain& gain, const Li
         const auto weighted = [&](auto field) AEOLIC_INLINE {
             return blendTaps(gain.weight, field(w00), field(w10), field(w01), field(w11));
         };
-        const VF weightedUnit = hn::Mul(width, hn::Set(d, level.weightedUnit * kHalfUnit));
+        const VF weightedUnit = hn::Mul(width, hn::Set(d, level.units.weighted * kHalfUnit));
         addWeighted(hn::Mul(weightedUnit, weighted([](VU v) AEOLIC_INLINE { return lowHalf(v); })),
                     hn::Mul(weightedUnit, weighted([](VU v) AEOLIC_INLINE { return highHalf(v); })), turn, gain.reached,
                     walk);
@@ -160,15 +160,8 @@ struct JumpWalker {
     const JumpLevel* uncounted = nullptr;  // The level of that jump; null once it is counted.
     Turn turn;                             // At the start of that jump.
 
-    HWY_INLINE void first(const JumpLevel& level, std::ptrdiff_t at) { firstJump<kWeighted>(level, at, trace, walk); }
-
-    HWY_INLINE JumpLookup ask(const JumpLevel& level, const LinkImage& links) const
-    {
-        return lookUpJump(level, links, trace);
-    }
-
-    // Takes the jump it asked for. The one before is counted only now, while this one is on its way: what they wait for
-    // must not wait for it.
+    // Takes the jump that was looked up for it. The one before is counted only now, while this one is on its way: what
+    // they wait for must not wait for it.
     HWY_INLINE void next(const JumpLevel& level, JumpLookup& look, const LinkImage& links, Turn by)
     {
         count(links);

@@ -42,13 +42,16 @@ HWY_INLINE VF highHalf(VU v)
 }
 inline constexpr float kHalfUnit = 1.0f / 65536.0f;
 
-/// Whole numbers that fit 16 bits.
-HWY_INLINE VI clampedHalf(VF v)
+/// Whole numbers within a range.
+HWY_INLINE VI clampedWhole(VF v, int least, int most)
 {
-    return hn::Min(hn::Max(wholeNumber(v), hn::Set(DI(), -jump_word::kHalfMost)), hn::Set(DI(), jump_word::kHalfMost));
+    return hn::Min(hn::Max(wholeNumber(v), hn::Set(DI(), least)), hn::Set(DI(), most));
 }
+
 HWY_INLINE VU joinHalves(VF low, VF high)
 {
+    const auto clampedHalf = [](VF v)
+                                 AEOLIC_INLINE { return clampedWhole(v, -jump_word::kHalfMost, jump_word::kHalfMost); };
     const VI lowBits = hn::And(clampedHalf(low), hn::Set(DI(), 0xFFFF));
     const VF below = hn::Mul(hn::ConvertTo(DF(), lowBits), hn::Set(DF(), kHalfUnit));
     return hn::BitCast(DU(), hn::Or(lowBits, hn::ShiftLeft<16>(clampedHalf(hn::Sub(high, below)))));
@@ -86,20 +89,19 @@ HWY_INLINE VU packJump(VU open, VU alive, VF length, VF sum, VF width)
 {
     const DF d;
     const DI di;
-    const auto field = [&](VF value, int least, int most) AEOLIC_INLINE {
-        return hn::Min(hn::Max(wholeNumber(value), hn::Set(di, least)), hn::Set(di, most));
-    };
+
     const auto below = [&](VI bits, int shift) AEOLIC_INLINE {
         return hn::Mul(hn::ConvertTo(d, bits), hn::Set(d, 1.0f / float(1 << shift)));
     };
     VI word = hn::BitCast(di, alive);
-    const VI lengthBits = field(hn::Sub(length, below(word, jump_word::kLengthShift)), 0, jump_word::kLengthMost);
+    const VI lengthBits =
+        clampedWhole(hn::Sub(length, below(word, jump_word::kLengthShift)), 0, jump_word::kLengthMost);
     word = hn::Or(word, hn::ShiftLeft<jump_word::kLengthShift>(lengthBits));
     const VI sumBits =
-        field(hn::Sub(sum, below(word, jump_word::kSumShift)), -jump_word::kSumMost, jump_word::kSumMost);
+        clampedWhole(hn::Sub(sum, below(word, jump_word::kSumShift)), -jump_word::kSumMost, jump_word::kSumMost);
     const VI sumMask = hn::Set(di, 2 * jump_word::kSumMost + 1);
     word = hn::Or(word, hn::ShiftLeft<jump_word::kSumShift>(hn::And(sumBits, sumMask)));
-    const VI widthBits = field(hn::Mul(width, hn::Set(d, float(jump_word::kWidthOne))), 0, jump_word::kWidthOne);
+    const VI widthBits = clampedWhole(hn::Mul(width, hn::Set(d, float(jump_word::kWidthOne))), 0, jump_word::kWidthOne);
     return hn::Or(open, hn::BitCast(DU(), hn::Or(word, hn::ShiftLeft<jump_word::kWidthShift>(widthBits))));
 }
 
@@ -123,17 +125,17 @@ HWY_INLINE void firstJump(const JumpLevel& level, std::ptrdiff_t at, Traces& t, 
     VU place, meta;
     hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(level.jumps.origin() + at), place, meta);
     meta = withoutOpenBit(meta);
-    const VF unit = hn::Set(d, level.displacementUnitPx * kHalfUnit);
+    const VF unit = hn::Set(d, level.units.displacementPx * kHalfUnit);
     t.dx = hn::Mul(lowHalf(place), unit);
     t.dy = hn::Mul(highHalf(place), unit);
     t.sheetX = t.dx;
     t.sheetY = t.dy;
-    walk.sum = hn::Mul(sumField(meta), hn::Set(d, level.sumUnit * kSumUnit));
-    walk.lengthPx = hn::Mul(lengthField(meta), hn::Set(d, level.lengthUnitPx * kLengthUnit));
+    walk.sum = hn::Mul(sumField(meta), hn::Set(d, level.units.sum * kSumUnit));
+    walk.lengthPx = hn::Mul(lengthField(meta), hn::Set(d, level.units.lengthPx * kLengthUnit));
     walk.width = hn::Mul(widthField(meta), hn::Set(d, kWidthUnit));
     if constexpr (kWeighted) {
         const VU weighted = hn::LoadU(du, level.weighted.origin() + at);
-        const VF weightedUnit = hn::Set(d, level.weightedUnit * kHalfUnit);
+        const VF weightedUnit = hn::Set(d, level.units.weighted * kHalfUnit);
         addWeighted(hn::Mul(lowHalf(weighted), weightedUnit), hn::Mul(highHalf(weighted), weightedUnit), {}, t.alive,
                     walk);
     }
@@ -173,15 +175,15 @@ HWY_INLINE void storeJump(JumpLevel& level, std::ptrdiff_t at, const Traces& t, 
     const DF d;
     const DU du;
     const auto scaled = [&](VF v, float unit) AEOLIC_INLINE { return hn::Mul(v, hn::Set(d, 1.0f / unit)); };
-    const VU place = joinHalves(scaled(t.dx, level.displacementUnitPx), scaled(t.dy, level.displacementUnitPx));
+    const VU place = joinHalves(scaled(t.dx, level.units.displacementPx), scaled(t.dy, level.units.displacementPx));
     const VU open = hn::IfThenElseZero(isOpen, hn::Set(du, jump_word::kOpenBit));
     const VU alive = hn::IfThenElseZero(hn::RebindMask(du, t.alive), hn::Set(du, jump_word::kAliveBit));
-    const VU packed =
-        packJump(open, alive, scaled(walk.lengthPx, level.lengthUnitPx), scaled(walk.sum, level.sumUnit), walk.width);
+    const VU packed = packJump(open, alive, scaled(walk.lengthPx, level.units.lengthPx),
+                               scaled(walk.sum, level.units.sum), walk.width);
     const VU meta = hn::IfThenElseZero(hn::RebindMask(du, hasFlow), packed);
     hn::StoreInterleaved2(place, meta, du, reinterpret_cast<std::uint32_t*>(level.jumps.origin() + at));
     if constexpr (kWeighted)
-        hn::StoreU(joinHalves(scaled(walk.first, level.weightedUnit), scaled(walk.second, level.weightedUnit)), du,
+        hn::StoreU(joinHalves(scaled(walk.first, level.units.weighted), scaled(walk.second, level.units.weighted)), du,
                    level.weighted.origin() + at);
 }
 

@@ -14,18 +14,14 @@ namespace aeolic::cpu {
 class LicStage {
 public:
     /// What Backend::convolve() does, from `buffer`: vectors, links and jumps of rows that others own are received as
-    /// far as traces sample them.
-    void run(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards);
+    /// far as traces sample them. Local without `guards`. Of a window that goes down a plane, only those jumps are
+    /// computed that depend on fresh rows.
+    void run(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards,
+             const FreshRows& fresh = {});
 
-    /// Local. The same for a window that goes down a plane: of jumps, only those are computed that depend on fresh
-    /// rows. By the hierarchical method.
-    void runOn(GBuffer& buffer, const LicOptions& lic, const Extent& compute, const FreshRows& fresh);
-
-    /// What Backend::smooth() does.
-    void smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside, int more = 0)
-    {
-        smooth(buffer, nullptr, lic, compute, beside, more);
-    }
+    /// What Backend::smooth() does. `fine`: where the flow is kept in more bits.
+    void smooth(const GBuffer& buffer, const LicOptions& lic, const Extent& compute, RowExchange* beside, int more = 0,
+                const FineFlow* fine = nullptr);
 
     /// Local. Both convolutions by the direct method, of flow that is kept in more bits. `buffer` holds `fine` as far
     /// as its bits go, and links.
@@ -44,17 +40,12 @@ private:
     /// Brings vectors and links as far as traces of so many steps sample them. Returns where that is.
     static NearFlow receiveFlow(GBuffer& buffer, const Extent& compute, GuardExchange* guards, int steps);
 
-    void runHierarchical(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards,
-                         const FreshRows& fresh);
-    void smooth(const GBuffer& buffer, const FineFlow* fine, const LicOptions& lic, const Extent& compute,
-                RowExchange* beside, int more);
-
     FlowCells flow_;
     FineCells fine_;
     Hierarchy hierarchy_;
     FlattenStage flatten_;
     LicImage lic_;
-    Image<std::uint32_t> words_;  // along_flow::word; a float's bits where there is no second convolution.
+    Image<std::uint32_t> words_;  // along_flow.h
 };
 
 }  // namespace aeolic::cpu

@@ -134,9 +134,8 @@ void PhaseMixer::mix(const GBuffer& buffer, const phase_mix::Mixture& mixture, L
 {
     const Extent& rows = kept_[0].valid();
     values.resize(rows);
-    parallelRanges(std::size_t(rows.empty() ? 0 : rows.height()), 16, [&](std::size_t begin, std::size_t end) {
-        for (int y = rows.y0 + int(begin); y < rows.y0 + int(end); ++y)
-            std::visit([&](const auto& how) { mixRow(how, kept_, buffer, y, values.row(y)); }, mixture);
+    parallelRows(rows, 16, [&](int y) {
+        std::visit([&](const auto& how) { mixRow(how, kept_, buffer, y, values.row(y)); }, mixture);
     });
 }
 

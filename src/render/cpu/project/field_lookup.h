@@ -29,28 +29,26 @@ inline FieldLookup makeFieldLookup(const GridField& field, const glm::dvec3& ori
     const GridIndex held = field.heldDims(), first = field.firstSample();
     lookup.strideBytes[1] = sampleBytes * held[0];
     lookup.strideBytes[2] = sampleBytes * held[0] * held[1];
-    for (int c = 0; c < 3; ++c) {
-        lookup.scale[c] = float(unitWorld / field.spacingWorld[c]);
-        lookup.offset[c] = float((originWorld[c] - field.originWorld[c]) / field.spacingWorld[c]);
-        lookup.top[c] = float(field.dims[std::size_t(c)] - 1);
-    }
     lookup.tiled = field.tiled;
     lookup.groupSamples = held[0] * held[1] * FieldTiles::kLayers;
+    lookup.brick = field.brick.has_value();
+    lookup.half = field.precision == FieldPrecision::float16;
     std::int64_t firstByte = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        lookup.held[c] = std::int32_t(held[c]);
-        lookup.first[c] = float(first[c]);
-        if (!field.tiled) firstByte += first[c] * lookup.strideBytes[c];
+    for (int c = 0; c < 3; ++c) {
+        const auto a = std::size_t(c);
+        lookup.scale[c] = float(unitWorld / field.spacingWorld[c]);
+        lookup.offset[c] = float((originWorld[c] - field.originWorld[c]) / field.spacingWorld[c]);
+        lookup.top[c] = float(field.dims[a] - 1);
+        lookup.held[c] = std::int32_t(held[a]);
+        lookup.first[c] = float(first[a]);
+        if (!field.tiled) firstByte += first[a] * lookup.strideBytes[c];
+        if (!lookup.brick) continue;
+        lookup.cellLo[c] = float(field.brick->cellLo[a]);
+        lookup.cellHi[c] = float(field.brick->cellHi[a]);
     }
     // Computed as a number: the place may lie before the memory, where no pointer may point.
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     lookup.samples = reinterpret_cast<const void*>(reinterpret_cast<std::intptr_t>(field.samples.get()) - firstByte);
-    lookup.brick = field.brick.has_value();
-    for (std::size_t c = 0; lookup.brick && c < 3; ++c) {
-        lookup.cellLo[c] = float(field.brick->cellLo[c]);
-        lookup.cellHi[c] = float(field.brick->cellHi[c]);
-    }
-    lookup.half = field.precision == FieldPrecision::float16;
     return lookup;
 }
 

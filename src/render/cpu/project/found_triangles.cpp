@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "render/cpu/project/edge_pixels.h"
+#include "render/cpu/project/raster/triangle_rows.h"
 
 namespace aeolic::cpu {
 namespace {
@@ -83,22 +84,6 @@ bool FoundTriangles::has(const SceneArrays& arrays, const View& view, const Exte
            scissor_.y0 <= scissor.y0 && scissor_.x1 >= scissor.x1 && scissor_.y1 >= scissor.y1;
 }
 
-Extent FoundTriangles::sampledBy(std::uint32_t triangle, const Extent& scissor) const
-{
-    const auto& corners = arrays_->scene->surface.triangles[triangle];
-    const ScreenVertex &a = screen_[corners[0]], &b = screen_[corners[1]], &c = screen_[corners[2]];
-    const auto least = [&](std::int32_t ScreenVertex::*v) {
-        const std::int32_t lowest = std::min({a.*v, b.*v, c.*v});
-        return (lowest - kSampleMargin + kSubpixels / 2 - 1) >> kSubpixelBits;
-    };
-    const auto past = [&](std::int32_t ScreenVertex::*v) {
-        const std::int32_t highest = std::max({a.*v, b.*v, c.*v});
-        return ((highest + kSampleMargin - kSubpixels / 2) >> kSubpixelBits) + 1;
-    };
-    return {std::max(least(&ScreenVertex::x), scissor.x0), std::max(least(&ScreenVertex::y), scissor.y0),
-            std::min(past(&ScreenVertex::x), scissor.x1), std::min(past(&ScreenVertex::y), scissor.y1)};
-}
-
 void FoundTriangles::findMarked(std::size_t chunk, const MarkedBoxes& marked, const Extent& scissor,
                                 std::vector<TriangleBox>& out) const
 {
@@ -111,7 +96,9 @@ void FoundTriangles::findMarked(std::size_t chunk, const MarkedBoxes& marked, co
     for (std::size_t g = firstGroup(chunk); g < firstGroup(chunk + 1); ++g)
         for (std::uint64_t left = between_[g]; left != 0; left &= left - 1) {
             const auto id = std::uint32_t(g * kGroupTriangles + std::size_t(std::countr_zero(left)));
-            const Extent box = sampledBy(id, scissor);
+            const auto [a, b, c] = arrays_->scene->surface.triangles[id];
+            const Extent box =
+                pixelsOver(cornerOf(screen_[a]), cornerOf(screen_[b]), cornerOf(screen_[c]), kSampleMargin, scissor);
             look.at({id, box.x0, box.y0, box.x1, box.y1});
         }
     look.finish();

@@ -39,8 +39,6 @@ private:
         std::vector<std::uint32_t> unsafe;
     };
     std::size_t firstGroup(std::size_t chunk) const { return visible_.groups() * chunk / count_; }
-    /// The pixels whose samples a triangle may cover.
-    Extent sampledBy(std::uint32_t triangle, const Extent& scissor) const;
 
     const SceneArrays* arrays_ = nullptr;
     View view_;

@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "render/cpu/project/field_cells-inl.h"
-#include "render/cpu/simd/compress-inl.h"
+#include "render/cpu/project/field_sampling-inl.h"
+
 #include "render/cpu/simd/simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();

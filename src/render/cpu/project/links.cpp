@@ -59,12 +59,7 @@ HWY_EXPORT(linkRow);
 
 void linkSheets(const View& view, const Extent& compute, GBuffer& buffer)
 {
-    parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int y = compute.y0 + int(i);
-            HWY_DYNAMIC_DISPATCH(linkRow)(view, buffer.surfaceColumns(y), y, buffer);
-        }
-    });
+    parallelRows(compute, 8, [&](int y) { HWY_DYNAMIC_DISPATCH(linkRow)(view, buffer.surfaceColumns(y), y, buffer); });
 }
 
 }  // namespace aeolic::cpu

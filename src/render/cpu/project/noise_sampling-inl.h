@@ -16,15 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Four corners of a cell: a + b x + c y + d x y between them.
-template <class V>
-struct NoiseFace {
-    V a, b, c, d;
-};
-
-/// The face between the texels in the lowest four bits of each lane.
+/// The face between the texels in the lowest four bits of each lane: a + b x + c y + d x y.
 template <class D, class VU, class V = hn::Vec<D>>
-HWY_INLINE NoiseFace<V> noiseFace(D df, VU bits)
+HWY_INLINE Block4<V> noiseFace(D df, VU bits)
 {
     if constexpr (hn::MaxLanes(df) == 16) {
         alignas(64) static constexpr float kA[16] = {-1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1};
@@ -84,7 +78,7 @@ HWY_INLINE V noiseLevel(D d, const NoisePyramid& noise, GrainValue value, const 
     const auto at = hn::Add(hn::ShiftLeft<6>(hn::Add(hn::ShiftLeft<6>(iz), iy)), ix);
     const auto corners = hn::GatherOffset(du, reinterpret_cast<const std::uint32_t*>(noise.cells.data()), at);
     const auto wx = hn::Sub(texel.x, fx), wy = hn::Sub(texel.y, fy), wz = hn::Sub(texel.z, fz);
-    const auto blend = [&](const NoiseFace<V>& f) {
+    const auto blend = [&](const Block4<V>& f) {
         return hn::MulAdd(hn::MulAdd(f.d, wx, f.c), wy, hn::MulAdd(f.b, wx, f.a));
     };
     const V level = lerp(blend(noiseFace(d, corners)), blend(noiseFace(d, hn::ShiftRight<4>(corners))), wz);

@@ -6,9 +6,9 @@
 
 #include "base/parallel.h"
 #include "render/brick_image.h"
+#include "render/cpu/project/background.h"
 #include "render/cpu/project/links.h"
 #include "render/cpu/project/resolve.h"
-#include "render/cpu/shade/background.h"
 #include "render/cpu/simd/prefetch.h"
 
 namespace aeolic::cpu {
@@ -19,9 +19,7 @@ void clearRows(const View& view, const Extent& valid, bool withScalar, GBuffer& 
 {
     out.resize(valid, withScalar);
     out.flowUnitPx = view.flowUnitPx;
-    parallelRanges(std::size_t(std::max(valid.height(), 0)), 64, [&](std::size_t begin, std::size_t end) {
-        clearTile({valid.x0, valid.y0 + int(begin), valid.x1, valid.y0 + int(end)}, out);
-    });
+    parallelRows(valid, 64, [&](int y) { clearTile({valid.x0, y, valid.x1, y + 1}, out); });
 }
 
 /// Gives the light of masked pixels its sign, as a rank does that holds the whole field.
@@ -44,7 +42,7 @@ public:
     void ask() const
     {
         thread_local std::uint64_t asked = 0;
-        if (std::exchange(asked, frame_) != frame_) prefetchAll(noise_.cells.data(), noise_.cells.size());
+        if (std::exchange(asked, frame_) != frame_) prefetchBytes(noise_.cells.data(), noise_.cells.size());
     }
 
 private:
@@ -105,7 +103,7 @@ Share Projection::draw(const View& view, const Extent& drawn, const Extent& vali
     drawBrick(view);
     if (view.maskBelow > 0) {
         masked_.resize(valid);
-        for (int y = valid.y0; y < valid.y1; ++y) std::fill_n(&masked_.at(valid.x0, y), valid.width(), 0u);
+        masked_.fill(valid, 0);
     }
     return BrickShare{
         &brick_,
@@ -174,7 +172,7 @@ void Projection::drawPiece(const View& view)
                   resolveTile(keys, tile, arrays_, view, noise_, piece_.seen);
                   copyKeys(keys, tile, scene().surface.order, piece_);
               },
-              [&](int, const Extent& tile) { clearKeys(tile, piece_); });
+              [&](int, const Extent& tile) { piece_.depth.fill(tile, 0); });
 }
 
 }  // namespace aeolic::cpu

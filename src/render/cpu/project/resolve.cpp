@@ -1,7 +1,6 @@
 #include "render/cpu/project/resolve.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
 #include "render/cpu/project/field_lookup.h"
@@ -261,48 +260,12 @@ void copyKeys(const TileKeys& keys, const Extent& tile, const std::vector<std::u
     }
 }
 
-void clearKeys(const Extent& tile, SurfacePixels& out)
-{
-    for (int y = tile.y0; y < tile.y1; ++y)
-        std::memset(&out.depth.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
-}
-
-void clearTile(const Extent& tile, GBuffer& out)
-{
-    // Background needs only what the later stages test; the other images are never read there.
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        std::memset(&out.invDepth.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(float));
-        std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
-    }
-}
-
-void clearDepth(const Extent& tile, GBuffer& out)
-{
-    for (int y = tile.y0; y < tile.y1; ++y)
-        std::memset(&out.invDepth.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(float));
-}
-
-void clearFlow(const Extent& tile, GBuffer& out)
-{
-    constexpr int kRowsAhead = 8;
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        if (y + kRowsAhead < tile.y1) {
-            prefetchRowToWrite(out.flow, tile.x0, tile.x1, y + kRowsAhead);
-            prefetchRowToWrite(out.links, tile.x0, tile.x1, y + kRowsAhead);
-        }
-        std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
-        std::memset(&out.links.at(tile.x0, y), 0, std::size_t(tile.width()));
-    }
-}
-
 void clearBrickTile(const Extent& tile, FieldPixels& out)
 {
     const bool withScalar = out.scalar.valid() == out.flow.valid(), withMask = out.masked.valid() == out.flow.valid();
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        std::memset(&out.flow.at(tile.x0, y), 0, std::size_t(tile.width()) * sizeof(std::uint32_t));
-        if (withMask) std::fill_n(&out.masked.at(tile.x0, y), tile.width(), 0u);
-        if (withScalar) std::fill_n(&out.scalar.at(tile.x0, y), tile.width(), std::numeric_limits<float>::quiet_NaN());
-    }
+    out.flow.fill(tile, 0);
+    if (withMask) out.masked.fill(tile, 0);
+    if (withScalar) out.scalar.fill(tile, std::numeric_limits<float>::quiet_NaN());
 }
 
 }  // namespace aeolic::cpu

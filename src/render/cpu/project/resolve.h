@@ -27,12 +27,8 @@ void resolveBrickTile(const TileKeys& keys, const Extent& tile, const SceneArray
 /// Where the surface is in pieces, beside resolveTile(): copies what says which piece is in front, the depth and order
 /// of the visible triangles. `order`: SurfaceMesh::order.
 void copyKeys(const TileKeys& keys, const Extent& tile, const std::vector<std::uint64_t>& order, SurfacePixels& out);
-void clearKeys(const Extent& tile, SurfacePixels& out);
 
-/// Writes background over `tile`: what later stages test of pixels, and in clearFlow() what traces look at.
-void clearTile(const Extent& tile, GBuffer& out);
-void clearFlow(const Extent& tile, GBuffer& out);
-void clearDepth(const Extent& tile, GBuffer& out);
+/// Writes background over `tile`.
 void clearBrickTile(const Extent& tile, FieldPixels& out);
 
 }  // namespace aeolic::cpu

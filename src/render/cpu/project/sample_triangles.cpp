@@ -11,7 +11,6 @@
 #include <hwy/highway.h>
 
 #include "render/cpu/project/raster/triangle_batch-inl.h"
-#include "render/cpu/simd/compress-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -181,11 +180,8 @@ void sampleAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<
                     if (near > 0) sampleSmall(batch, reach, i, rule.farInvDepth, numbers, near, out);
                 }
             } else if (batch.isLarge[i]) {
-                const auto& t = mesh.triangles[batch.id[i]];
-                const auto corner = [&](std::size_t k) {
-                    return Corner{screen[t[k]].x, screen[t[k]].y, screen[t[k]].invDepth};
-                };
-                sampleTriangle(corner(0), corner(1), corner(2), batch.id[i], rule, out);
+                const auto [a, b, c] = mesh.triangles[batch.id[i]];
+                sampleTriangle(cornerOf(screen[a]), cornerOf(screen[b]), cornerOf(screen[c]), batch.id[i], rule, out);
             }
         }
     }
@@ -239,7 +235,7 @@ void sampleTriangle(const Corner& a, const Corner& b, const Corner& c, std::uint
     }
     const float nearest = t->highest + t->bias;
     const auto sample = [&](std::size_t number) {
-        const std::int64_t right = pixels.x()[number] - t->x0, down = pixels.y()[number] - t->y0;
+        const std::int64_t right = pixels.x()[number] - t->over.x0, down = pixels.y()[number] - t->over.y0;
         std::int64_t centre[3];
         for (int k = 0; k < 3; ++k) centre[k] = t->edge[k] + right * t->edgeX[k] + down * t->edgeY[k];
         // Most pixels of a large triangle's box have no sample of it, or show something nearer at all of them.
@@ -260,8 +256,8 @@ void sampleTriangle(const Corner& a, const Corner& b, const Corner& c, std::uint
             out.complements()[at] = t->notId;
         }
     };
-    for (int strip = pixels.strip(t->x0); strip <= pixels.strip(t->x1 - 1); ++strip) {
-        const EdgePixels::Range range = pixels.range(strip, t->y0, t->y1);
+    for (int strip = pixels.strip(t->over.x0); strip <= pixels.strip(t->over.x1 - 1); ++strip) {
+        const EdgePixels::Range range = pixels.range(strip, t->over.y0, t->over.y1);
         for (std::size_t number = range.begin; number < range.end; ++number) sample(number);
     }
 }

@@ -4,11 +4,6 @@
 
 namespace aeolic::cpu {
 
-SceneArrays::SceneArrays(const Scene& theScene) : scene(&theScene)
-{
-    update(true);
-}
-
 void SceneArrays::update(bool triangles)
 {
     constexpr std::size_t pad = 64;

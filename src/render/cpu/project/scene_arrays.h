@@ -20,7 +20,7 @@ struct SceneArrays {
     std::vector<TriangleGroup> groups;
     const Scene* scene = nullptr;
 
-    explicit SceneArrays(const Scene& scene);
+    explicit SceneArrays(const Scene& theScene) : scene(&theScene) { update(true); }
 
     /// After the scene's points or arrays have changed, and, where it says so, its triangles.
     void update(bool triangles);

@@ -1,13 +1,15 @@
 #include "render/cpu/project/visibility.h"
 
 #include <algorithm>
-#include <array>
+
 #include <cstring>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/parallel.h"
 #include "render/cpu/project/raster/draw_triangles.h"
+#include "render/cpu/project/raster/triangle_rows.h"
 #include "render/cpu/simd/prefetch.h"
 
 namespace aeolic::cpu {
@@ -89,11 +91,12 @@ void Visibility::clipUnsafe(int margin)
     for (std::size_t i = 0; i < found_.chunks(); ++i)  // Rare and short: only what straddles the near plane.
         for (const std::uint32_t id : found_.unsafe(i)) {
             for (const ClippedTriangle& piece : clippedPieces(mesh, view_, id)) {
-                TriangleBox box = boxOf(piece, scissor_, margin);
-                if (box.x0 >= box.x1 || box.y0 >= box.y1) continue;
-                box.id = std::uint32_t(mesh.triangles.size() + clipped_.size());
+                const auto& [a, b, c] = piece.corners;
+                const Extent box = pixelsOver(a, b, c, margin, scissor_);
+                if (box.empty()) continue;
+                const auto number = std::uint32_t(mesh.triangles.size() + clipped_.size());
+                clippedBoxes_.push_back({number, box.x0, box.y0, box.x1, box.y1});
                 clipped_.push_back(piece);
-                clippedBoxes_.push_back(box);
             }
         }
 }
@@ -168,23 +171,6 @@ bool Visibility::hasAny(int tile, const std::vector<std::uint32_t>& marks) const
     });
 }
 
-bool Visibility::draw(int tile, TileKeys& keys) const
-{
-    constexpr std::uint32_t kWorthTesting = 64;  // Triangles; with fewer, finding the depths costs more than it saves.
-    const std::uint32_t* list = &listStart_[2 * std::size_t(tile)];
-    if (list[0] == list[2]) return false;
-    const Extent extent = tileExtent(tile);
-    std::memset(&keys, 0, sizeof keys);
-    drawTriangles(list[0], list[1], extent, nullptr, keys);
-    if (list[2] - list[1] >= kWorthTesting) {
-        const TileDepths drawn = farthestDepths(keys);
-        drawTriangles(list[1], list[2], extent, &drawn, keys);
-    } else {
-        drawTriangles(list[1], list[2], extent, nullptr, keys);
-    }
-    return true;
-}
-
 template <class Whole, class Piece>
 void Visibility::forEachOf(std::uint32_t begin, std::uint32_t end, const Whole& whole, const Piece& piece) const
 {
@@ -195,26 +181,34 @@ void Visibility::forEachOf(std::uint32_t begin, std::uint32_t end, const Whole& 
         const auto clipped = std::find_if_not(at, last, isWhole);
         if (at != clipped) whole(std::span<const std::uint32_t>{at, clipped});
         at = std::find_if(clipped, last, isWhole);
-        for (auto i = clipped; i != at; ++i) {
-            const ClippedTriangle& t = clipped_[*i - count];
-            const auto corner = [&](int k) { return Corner{t.x[k], t.y[k], t.invDepth[k]}; };
-            piece(std::array{corner(0), corner(1), corner(2)}, t.original);
-        }
+        for (auto i = clipped; i != at; ++i) piece(clipped_[*i - count]);
     }
 }
 
-void Visibility::drawTriangles(std::uint32_t begin, std::uint32_t end, const Extent& extent, const TileDepths* drawn,
-                               TileKeys& keys) const
+bool Visibility::draw(int tile, TileKeys& keys) const
 {
-    forEachOf(
-        begin, end,
-        [&](std::span<const std::uint32_t> ids) {
-            cpu::drawTriangles(arrays_->scene->surface, found_.screen(), ids, extent, rule(), drawn, keys);
-            if (!drawn) prefetchCorners(ids, *arrays_);
-        },
-        [&](const std::array<Corner, 3>& corners, std::uint32_t id) {
-            drawTriangle(corners[0], corners[1], corners[2], id, extent, rule(), drawn, keys);
-        });
+    constexpr std::uint32_t kWorthTesting = 64;  // Triangles; with fewer, finding the depths costs more than it saves.
+    const std::uint32_t* list = &listStart_[2 * std::size_t(tile)];
+    if (list[0] == list[2]) return false;
+    const Extent extent = tileExtent(tile);
+    const auto drawList = [&](std::uint32_t begin, std::uint32_t end, const TileDepths* drawn) {
+        forEachOf(
+            begin, end,
+            [&](std::span<const std::uint32_t> ids) {
+                drawTriangles(arrays_->scene->surface, found_.screen(), ids, extent, rule(), drawn, keys);
+                if (!drawn) prefetchCorners(ids, *arrays_);
+            },
+            [&](const ClippedTriangle& piece) {
+                const auto& [a, b, c] = piece.corners;
+                drawTriangle(a, b, c, piece.original, extent, rule(), drawn, keys);
+            });
+    };
+    std::memset(&keys, 0, sizeof keys);
+    drawList(list[0], list[1], nullptr);
+    std::optional<TileDepths> drawn;
+    if (list[2] - list[1] >= kWorthTesting) drawn = farthestDepths(keys);
+    drawList(list[1], list[2], drawn ? &*drawn : nullptr);
+    return true;
 }
 
 void Visibility::drawEdges(int tile, SampleKeys& out) const
@@ -225,8 +219,9 @@ void Visibility::drawEdges(int tile, SampleKeys& out) const
             [&](std::span<const std::uint32_t> ids) {
                 sampleTriangles(arrays_->scene->surface, found_.screen(), ids, rule(), out);
             },
-            [&](const std::array<Corner, 3>& corners, std::uint32_t id) {
-                sampleTriangle(corners[0], corners[1], corners[2], id, rule(), out);
+            [&](const ClippedTriangle& piece) {
+                const auto& [a, b, c] = piece.corners;
+                sampleTriangle(a, b, c, piece.original, rule(), out);
             });
     };
     const std::uint32_t* list = &listStart_[2 * std::size_t(tile)];

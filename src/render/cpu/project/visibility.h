@@ -53,7 +53,7 @@ private:
         std::vector<TriangleBox> atEdges;
         std::vector<std::uint32_t> count;  // Per list: first how many, then where the next goes.
     };
-    /// Clips triangles that need it. `margin`: as boxOf() has it.
+    /// Clips triangles that need it. `margin`: as pixelsOver() has it.
     void clipUnsafe(int margin);
     /// Sorts the triangles of boxesOf(chunk) of each chunk into the tiles' lists, and the clipped pieces.
     template <class BoxesOf>
@@ -64,11 +64,9 @@ private:
     template <class Visit>
     void forEachList(const TriangleBox& box, Visit visit) const;
     DrawRule rule() const { return {view_.farInvDepth, view_.frontFacesOnly}; }
-    /// Calls whole(ids) for runs of triangles [begin, end) of the lists, and piece(corners, id) for clipped pieces.
+    /// Calls whole(ids) for runs of triangles [begin, end) of the lists, and piece() for clipped pieces.
     template <class Whole, class Piece>
     void forEachOf(std::uint32_t begin, std::uint32_t end, const Whole& whole, const Piece& piece) const;
-    void drawTriangles(std::uint32_t begin, std::uint32_t end, const Extent& extent, const TileDepths* drawn,
-                       TileKeys& keys) const;
 
     const SceneArrays* arrays_ = nullptr;
     View view_;

@@ -58,15 +58,6 @@ HWY_INLINE VF pixelsPerDepth(VF depth, float focalPx)
     return hn::Div(hn::Set(d, focalPx), hn::IfThenElse(hn::Gt(depth, zero), depth, hn::Set(d, 1.0f)));
 }
 
-HWY_INLINE void storeSome(VF values, int x, int x1, float* out)
-{
-    const DF d;
-    if (x + int(hn::Lanes(d)) <= x1) return hn::StoreU(values, d, out + x);
-    HWY_ALIGN float some[hn::MaxLanes(d)];
-    hn::Store(values, d, some);
-    std::copy_n(some, x1 - x, out + x);
-}
-
 // What is hidden from each pixel of [x0, x1). `depths`, `gradX`, `gradY`, `out`: the row's, by column.
 void hiddenRow(const OcclusionTaps& taps, float focalPx, const float* depths, const float* gradX, const float* gradY,
                int x0, int x1, float* out)
@@ -77,7 +68,7 @@ void hiddenRow(const OcclusionTaps& taps, float focalPx, const float* depths, co
     for (int x = x0; x < x1; x += int(hn::Lanes(d))) {
         const VF depth = hn::LoadU(d, depths + x);
         if (hn::AllTrue(d, hn::Eq(depth, zero))) {
-            storeSome(zero, x, x1, out);
+            storeUpTo(x1, zero, x, d, out);
             continue;
         }
         const VF scale = pixelsPerDepth(depth, focalPx);
@@ -95,7 +86,7 @@ void hiddenRow(const OcclusionTaps& taps, float focalPx, const float* depths, co
             const VF near = hn::Max(hn::NegMulAdd(far, hn::Set(d, taps.perFar), one), zero);
             hidden = hn::MulAdd(hn::Div(hn::Mul(hn::Mul(above, above), near), far), perHeight, hidden);
         }
-        storeSome(hn::Mul(hidden, hn::Set(d, 1.0f / float(occlusion::kTaps))), x, x1, out);
+        storeUpTo(x1, hn::Mul(hidden, hn::Set(d, 1.0f / float(occlusion::kTaps))), x, d, out);
     }
 }
 
@@ -108,7 +99,7 @@ void openRow(const Image<float>& depths, const Image<float>& hidden, float focal
     for (int x = x0; x < x1; x += int(hn::Lanes(d))) {
         const VF depth = hn::LoadU(d, depths.row(y) + x);
         if (hn::AllTrue(d, hn::Eq(depth, zero))) {
-            storeSome(one, x, x1, out);
+            storeUpTo(x1, one, x, d, out);
             continue;
         }
         const VF slack = hn::Div(hn::Set(d, occlusion::kSlackPx), pixelsPerDepth(depth, focalPx));
@@ -124,7 +115,7 @@ void openRow(const Image<float>& depths, const Image<float>& hidden, float focal
                 count = hn::Add(count, hn::IfThenElseZero(counts, one));
             }
         const VF mean = hn::Div(sum, hn::Max(count, one));
-        storeSome(hn::Div(one, hn::MulAdd(mean, hn::Set(d, occlusion::kStrength), one)), x, x1, out);
+        storeUpTo(x1, hn::Div(one, hn::MulAdd(mean, hn::Set(d, occlusion::kStrength), one)), x, d, out);
     }
 }
 
@@ -137,33 +128,16 @@ namespace aeolic::cpu {
 HWY_EXPORT(hiddenRow);
 HWY_EXPORT(openRow);
 
-namespace {
-
-constexpr std::size_t kRowsAtOnce = 8;
-
-template <class Use>
-void forEachRow(int y0, int y1, const Use& use)
-{
-    parallelRanges(std::size_t(std::max(y1 - y0, 0)), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) use(y0 + int(i));
-    });
-}
-
-}  // namespace
-
 void OcclusionStage::copyDepths(const GBuffer& buffer, const Extent& compute)
 {
     const Extent& held = depths_.valid();
-    forEachRow(held.y0, held.y1, [&](int y) {
-        float* row = depths_.row(y);
+    parallelRows(held, 8, [&](int y) {
         ColumnSpan columns{held.x1, held.x1};
         if (y >= compute.y0 && y < compute.y1) columns = buffer.surfaceColumns(y);
-        std::fill(row + held.x0, row + columns.x0, 0.0f);
-        if (!columns.empty()) {
-            const float* from = buffer.invDepth.row(y);
-            std::copy(from + columns.x0, from + columns.x1, row + columns.x0);
-        }
-        std::fill(row + columns.x1, row + held.x1, 0.0f);
+        depths_.clearBeside(y, columns);
+        if (columns.empty()) return;
+        const float* from = buffer.invDepth.row(y);
+        std::copy(from + columns.x0, from + columns.x1, depths_.row(y) + columns.x0);
     });
 }
 
@@ -172,7 +146,7 @@ void OcclusionStage::findHidden(const GBuffer& buffer, const View& view, const E
     std::vector<OcclusionTaps> taps;
     taps.reserve(occlusion::kTile);
     for (int y = 0; y < occlusion::kTile; ++y) taps.emplace_back(y, radius, depths_.stride());
-    forEachRow(compute.y0, compute.y1, [&](int y) {
+    parallelRows(compute, 8, [&](int y) {
         const ColumnSpan& columns = buffer.surfaceColumns(y);
         HWY_DYNAMIC_DISPATCH(hiddenRow)
         (taps[std::size_t(y % occlusion::kTile)], view.focalPx, depths_.row(y), buffer.gradX.row(y),
@@ -194,7 +168,7 @@ void OcclusionStage::run(const GBuffer& buffer, const View& view, const Extent& 
     findHidden(buffer, view, compute, radius);
     if (beside) beside->receive(imageRows(hidden_), averaged);
     open_.resize(withNeighbours(compute, buffer.valid(), compute.empty() ? 0 : more));
-    forEachRow(open_.valid().y0, open_.valid().y1, [&](int y) {
+    parallelRows(open_.valid(), 8, [&](int y) {
         const ColumnSpan& columns = buffer.surfaceColumns(y);
         HWY_DYNAMIC_DISPATCH(openRow)
         (depths_, hidden_, view.focalPx, buffer.gradX.row(y), buffer.gradY.row(y), y, columns.x0, columns.x1,

@@ -58,14 +58,11 @@ void shadeRows(const ShadeInput& input, const Extent& compute, Tile& out)
     const GBuffer& buffer = input.buffer;
     const Palette& palette = input.palette;
     out.setBackground(palette.background);
-    parallelRanges(std::size_t(compute.height()), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int y = compute.y0 + int(i);
-            const ColumnSpan columns = palette.antialias ? edgeColumns(buffer, y) : buffer.surfaceColumns(y);
-            out.clearBeside(y, columns);
-            std::uint8_t* first = out.row(y) + 4 * std::ptrdiff_t(columns.x0 - out.extent.x0);
-            HWY_DYNAMIC_DISPATCH(shadeRow)(input, y, columns.x0, columns.x1, first);
-        }
+    parallelRows(compute, 8, [&](int y) {
+        const ColumnSpan columns = palette.antialias ? edgeColumns(buffer, y) : buffer.surfaceColumns(y);
+        out.clearBeside(y, columns);
+        std::uint8_t* first = out.row(y) + 4 * std::ptrdiff_t(columns.x0 - out.extent.x0);
+        HWY_DYNAMIC_DISPATCH(shadeRow)(input, y, columns.x0, columns.x1, first);
     });
 }
 

@@ -1,4 +1,4 @@
-// Per-target include (Highway compiles it once per target): small vectors of vectors and paired gathers.
+// Per-target include (Highway compiles it once per target): small vectors of vectors, loads and stores.
 
 #if defined(AEOLIC_RENDER_CPU_SIMD_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef AEOLIC_RENDER_CPU_SIMD_INL_H
@@ -9,6 +9,11 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <glm/glm.hpp>
 
 HWY_BEFORE_NAMESPACE();
@@ -87,11 +92,59 @@ HWY_INLINE V inverseLength(D d, V squared)
     return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
 }
 
-/// Two adjacent 32-bit words per lane in one 64-bit gather: a load port moves 64 bits as fast as 32.
-template <class V>
-struct WordPair {
-    V first, second;
+/// Stores a row's pixels from column x on, but none from column `end` on.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void storeUpTo(int end, V values, int x, D d, hn::TFromD<D>* row)
+{
+    if (x + int(hn::Lanes(d)) <= end) return hn::StoreU(values, d, row + x);
+    HWY_ALIGN hn::TFromD<D> some[hn::MaxLanes(d)];
+    hn::Store(values, d, some);
+    std::copy_n(some, end - x, row + x);
+}
+
+/// Which lanes are in a set, for every set of eight lanes, a bit each; the rest is 0.
+struct LanesOfSets {
+    std::uint8_t lane[256][8] = {};
+
+    constexpr LanesOfSets()
+    {
+        for (int set = 0; set < 256; ++set)
+            for (int k = 0, count = 0; k < 8; ++k)
+                if (set >> k & 1) lane[set][count++] = std::uint8_t(k);
+    }
 };
+inline constexpr LanesOfSets kLanesOfSets;
+
+/// hn::CompressStore() of 32-bit lanes: stores the chosen ones first, and anything in the rest of a whole vector.
+/// Returns how many they are. Processors up to AVX2 look up which these are; Highway's own table GCC 12 copies to the
+/// stack, a kilobyte for every vector.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE std::size_t compressStore(V v, hn::Mask<D> chosen, D d, hn::TFromD<D>* to)
+{
+    static_assert(sizeof(hn::TFromD<D>) == 4);
+    if constexpr (hn::MaxLanes(d) <= 8) {
+        const hn::RebindToUnsigned<D> du;
+        const hn::Rebind<std::uint8_t, D> d8;
+        std::uint8_t set[8] = {};  // Written as a whole.
+        hn::StoreMaskBits(d, chosen, set);
+        const auto lanes = hn::PromoteTo(du, hn::LoadU(d8, kLanesOfSets.lane[set[0]]));
+        hn::StoreU(hn::TableLookupLanes(v, hn::IndicesFromVec(d, lanes)), d, to);
+        return std::size_t(std::popcount(set[0]));
+    } else {
+        return hn::CompressStore(v, chosen, d, to);
+    }
+}
+
+/// A bit for each lane, from the lowest; 64 of them at most.
+template <class D>
+HWY_INLINE std::uint64_t bitsOf(D d, hn::Mask<D> mask)
+{
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
+}
 
 /// 64-bit offsets for as many lanes as a 32-bit vector has, in two vectors.
 template <class D32>
@@ -108,18 +161,7 @@ HWY_INLINE WideOffsets<D32> widen(D32, At offsets)
     return {hn::PromoteTo(d64, hn::LowerHalf(half, offsets)), hn::PromoteTo(d64, hn::UpperHalf(half, offsets))};
 }
 
-/// The two 32-bit words at byte offset `at` + `plus` from base.
-template <class D32, class Wide>
-HWY_INLINE WordPair<hn::Vec<D32>> gatherWords(D32 du, const void* base, const Wide& at, std::ptrdiff_t plus)
-{
-    const hn::Repartition<std::uint64_t, D32> d64;
-    const auto* from = reinterpret_cast<const std::uint64_t*>(static_cast<const std::uint8_t*>(base) + plus);
-    const auto lower = hn::BitCast(du, hn::GatherOffset(d64, from, at.lower));
-    const auto upper = hn::BitCast(du, hn::GatherOffset(d64, from, at.upper));
-    return {hn::ConcatEven(du, upper, lower), hn::ConcatOdd(du, upper, lower)};
-}
-
-/// Four vectors: word k of a 128-bit record per lane.
+/// Four vectors, such as word k of a 128-bit record per lane.
 template <class V>
 struct Block4 {
     V a, b, c, d;

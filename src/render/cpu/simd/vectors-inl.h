@@ -30,15 +30,22 @@ HWY_INLINE bool anyFlow(const GBuffer& buffer, std::ptrdiff_t at)
     return !hn::AllTrue(DU(), hn::Eq(hn::LoadU(DU(), buffer.flow.origin() + at), hn::Zero(DU())));
 }
 
-/// Where the pixel and limits::kOpenRings rings around it are linked to all their neighbours.
-HWY_INLINE MU openAt(const GBuffer& buffer, std::ptrdiff_t at)
+/// Where the pixels of `links` and those around, from limits::kOpenRings before to `last` after it, are linked to all
+/// their neighbours.
+HWY_INLINE MU openTo(const std::uint8_t* links, std::ptrdiff_t stride, int last)
 {
     const hn::Rebind<std::uint8_t, DU> d8;
     auto all = hn::Set(d8, std::uint8_t{0xFF});
-    for (int row = -limits::kOpenRings; row <= limits::kOpenRings; ++row)
-        for (int column = -limits::kOpenRings; column <= limits::kOpenRings; ++column)
-            all = hn::And(all, hn::LoadU(d8, buffer.links.origin() + at + row * buffer.links.stride() + column));
+    for (int row = -limits::kOpenRings; row <= last; ++row)
+        for (int column = -limits::kOpenRings; column <= last; ++column)
+            all = hn::And(all, hn::LoadU(d8, links + row * stride + column));
     return hn::Eq(hn::PromoteTo(DU(), all), hn::Set(DU(), 0xFFu));
+}
+
+/// Where the pixel and limits::kOpenRings rings around it are linked to all their neighbours.
+HWY_INLINE MU openAt(const GBuffer& buffer, std::ptrdiff_t at)
+{
+    return openTo(buffer.links.origin() + at, buffer.links.stride(), limits::kOpenRings);
 }
 
 /// What may have flow in a row of a tile; whole vectors but for the tile's end.

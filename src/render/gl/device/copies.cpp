@@ -115,9 +115,9 @@ std::vector<RowFlow> RowFlowCopy::get(Programs& programs, const FrameImages& ima
     using Words = std::array<std::uint32_t, 4>;
     facts_.reserve(facts.size() * sizeof(Words));
     const GLuint program = programs.compute("row_flow");
-    glProgramUniform3i(program, 0, y0 - images.valid.y0, rows, images.valid.width());
+    setInts(program, 0, y0 - images.valid.y0, rows, images.valid.width());
     images.flow.bind(0);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, facts_.get().id());
+    bindStorage(0, facts_.get());
     dispatch(program, GLuint(rows));
     copy_.copy(facts_.get(), facts.size() * sizeof(Words));
     copy_.start();

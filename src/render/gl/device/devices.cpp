@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <mutex>
-#include <string_view>
 
 #include "render/gl/gl_backend.h"
 
@@ -19,17 +18,6 @@ template <class Error = NoDevice>
     throw Error("--backend", "gl, but " + why, "a GPU driver with EGL and OpenGL 4.5 (docs/gpu.md), or cpu");
 }
 
-bool hasWord(const char* list, std::string_view word)
-{
-    std::string_view left = list ? list : "";
-    while (!left.empty()) {
-        const std::size_t end = std::min(left.find(' '), left.size());
-        if (left.substr(0, end) == word) return true;
-        left.remove_prefix(std::min(end + 1, left.size()));
-    }
-    return false;
-}
-
 // libepoxy ends the process where libEGL is missing: looked for before it is called.
 void requireEgl()
 {
@@ -37,8 +25,9 @@ void requireEgl()
     if (!library) notHere("there is no libEGL.so.1");
     dlclose(library);
     const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    if (!hasWord(extensions, "EGL_EXT_platform_device") ||
-        !(hasWord(extensions, "EGL_EXT_device_base") || hasWord(extensions, "EGL_EXT_device_enumeration")))
+    if (!epoxy_extension_in_string(extensions, "EGL_EXT_platform_device") ||
+        !(epoxy_extension_in_string(extensions, "EGL_EXT_device_base") ||
+          epoxy_extension_in_string(extensions, "EGL_EXT_device_enumeration")))
         notHere("this EGL cannot list devices (EGL_EXT_device_enumeration)");
 }
 
@@ -52,7 +41,8 @@ std::vector<Device> listed()
     std::vector<Device> found;
     for (int i = 0; i < count; ++i) {
         const char* extensions = eglQueryDeviceStringEXT(all[std::size_t(i)], EGL_EXTENSIONS);
-        found.push_back({all[std::size_t(i)], nullptr, hasWord(extensions, "EGL_MESA_device_software")});
+        found.push_back(
+            {all[std::size_t(i)], nullptr, epoxy_extension_in_string(extensions, "EGL_MESA_device_software")});
     }
     std::stable_partition(found.begin(), found.end(), [](const Device& d) { return !d.software; });
     return found;

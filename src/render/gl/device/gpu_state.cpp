@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/gl/device/raster.h"
+
 namespace aeolic::gl {
 
 void GpuState::draw(Programs& programs, const View& from, const Extent& area)

@@ -18,18 +18,20 @@ Framebuffer makeTarget(const Texture& ids, const Texture& depth)
     return target;
 }
 
-void rasterize(const GpuScene& scene, const RasterPass& pass)
+void drawVisibility(Programs& programs, const GpuScene& scene, const View& view, GLuint target, const Extent& area)
 {
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, pass.target);
-    glViewport(0, 0, pass.width, pass.height);
+    const GLuint program = programs.drawing("visibility");
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+    glViewport(0, 0, view.camera.width, view.camera.height);
     glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_SCISSOR_TEST);
-    glScissor(pass.area.x0, pass.area.y0, pass.area.width(), pass.area.height());
+    glScissor(area.x0, area.y0, area.width(), area.height());
     glEnable(GL_DEPTH_TEST);
     const GLuint background[4] = {};
-    glClearNamedFramebufferuiv(pass.target, GL_COLOR, 0, background);
-    glClearNamedFramebufferfv(pass.target, GL_DEPTH, 0, &pass.farthest);
-    glUseProgram(pass.program);
+    const float farthest = view.farInvDepth * float(view.nearDepth);  // Nothing beyond the far plane is nearer.
+    glClearNamedFramebufferuiv(target, GL_COLOR, 0, background);
+    glClearNamedFramebufferfv(target, GL_DEPTH, 0, &farthest);
+    glUseProgram(program);
     glDepthFunc(GL_GREATER);
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
@@ -37,7 +39,7 @@ void rasterize(const GpuScene& scene, const RasterPass& pass)
     glPolygonOffset(1.0f / 128, 8);  // A pixel's change of depth is 256 sub-pixels'.
     scene.draw();
     glDisable(GL_POLYGON_OFFSET_FILL);
-    if (!pass.frontFacesOnly) {
+    if (!view.frontFacesOnly) {
         glCullFace(GL_FRONT);
         scene.draw();
     }

@@ -2,7 +2,8 @@
 
 #include "base/extent.h"
 #include "render/gl/device/gpu_scene.h"
-#include "render/gl/device/objects.h"
+#include "render/gl/device/programs.h"
+#include "render/view.h"
 
 namespace aeolic::gl {
 
@@ -10,16 +11,10 @@ namespace aeolic::gl {
 /// cannot.
 Framebuffer makeTarget(const Texture& ids, const Texture& depth);
 
-struct RasterPass {
-    GLuint program = 0, target = 0;
-    int width = 0, height = 0;  ///< The picture's.
-    Extent area{};              ///< The part of it that is drawn.
-    float farthest = 0;         ///< What the depth is cleared to; nearer is more.
-    bool frontFacesOnly = false;
-};
-
-/// Draws the scene's triangles, of which the nearest stay. Front faces count as nearer by what corners on whole
-/// sub-pixels and rounding make planes differ (frontBias()).
-void rasterize(const GpuScene& scene, const RasterPass& pass);
+/// Draws which triangle is seen in each pixel of `area` (global pixels) into `target`, which spans the view's image:
+/// the viewport is the whole image's whatever the area, and the area a scissor. The bound view block is `view`'s. Of
+/// the scene's triangles the nearest stay. Front faces count as nearer by what corners on whole sub-pixels and rounding
+/// make planes differ (frontBias()).
+void drawVisibility(Programs& programs, const GpuScene& scene, const View& view, GLuint target, const Extent& area);
 
 }  // namespace aeolic::gl

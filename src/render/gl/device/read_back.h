@@ -44,6 +44,17 @@ private:
     std::byte* mapped_ = nullptr;
 };
 
+/// While it exists, Texture::readRows() or writeRows() takes offsets in a shared memory instead of pointers.
+template <GLenum kTarget>
+class PixelMemory {
+public:
+    explicit PixelMemory(const SharedMemory& memory) { glBindBuffer(kTarget, memory.id()); }
+    ~PixelMemory() { glBindBuffer(kTarget, 0); }
+    PixelMemory(const PixelMemory&) = delete;
+};
+using PixelsInto = PixelMemory<GL_PIXEL_PACK_BUFFER>;    ///< For readRows().
+using PixelsFrom = PixelMemory<GL_PIXEL_UNPACK_BUFFER>;  ///< For writeRows().
+
 /// Bytes on their way from the device to this process, while both do something else.
 class ReadBack {
 public:

@@ -3,6 +3,10 @@
 namespace aeolic::gl {
 namespace {
 
+/// [Stage]
+constexpr double DeviceTimes::*kTimeOf[] = {&DeviceTimes::projectMs, &DeviceTimes::convolveMs, &DeviceTimes::shadeMs,
+                                            &DeviceTimes::readBackMs};
+
 Query makeQuery()
 {
     GLuint id = 0;
@@ -38,21 +42,7 @@ DeviceTimes StageTimers::read()
     DeviceTimes times;
     for (std::size_t i = 0; i < used_; ++i) {
         const Interval& interval = intervals_[i];
-        const double ms = milliseconds(interval.begin, interval.end);
-        switch (interval.stage) {
-            case Stage::project:
-                times.projectMs += ms;
-                break;
-            case Stage::convolve:
-                times.convolveMs += ms;
-                break;
-            case Stage::shade:
-                times.shadeMs += ms;
-                break;
-            case Stage::readBack:
-                times.readBackMs += ms;
-                break;
-        }
+        times.*kTimeOf[std::size_t(interval.stage)] += milliseconds(interval.begin, interval.end);
     }
     used_ = 0;
     return times;

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "render/antialias.h"
-#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 #include "render/gl/device/gl_limits.h"
 #include "render/limits.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/gl/device/arguments.h"
+#include "render/gl/device/dispatch.h"
 #include "render/gl/lic/gl_lic_stage.h"
 #include "render/limits.h"
 

@@ -1,4 +1,4 @@
-#include "render/gl/device/arguments.h"
+#include "render/gl/device/dispatch.h"
 #include "render/gl/lic/gl_lic_stage.h"
 #include "render/lic/lic_kernel.h"
 

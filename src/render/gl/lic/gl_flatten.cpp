@@ -1,11 +1,9 @@
-#include "render/gl/lic/gl_flatten.h"
-
 #include <algorithm>
 
 #include "render/flatten.h"
 #include "render/gbuffer.h"
-#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
+#include "render/gl/lic/gl_lic_stage.h"
 
 namespace aeolic::gl {
 

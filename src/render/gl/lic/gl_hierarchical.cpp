@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/gl/device/arguments.h"
+#include "render/gl/device/dispatch.h"
 #include "render/gl/device/gl_blocks.h"
 #include "render/gl/lic/gl_lic_stage.h"
 #include "render/gl/lic/guard_rows.h"

@@ -1,7 +1,7 @@
 #include "render/gl/lic/gl_lic_stage.h"
 
 #include "render/gbuffer.h"
-#include "render/gl/device/arguments.h"
+#include "render/gl/device/dispatch.h"
 #include "render/lic/lic_kernel.h"
 
 namespace aeolic::gl {

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <array>
+
 #include "aeolic/scene_description.h"
+#include "render/gl/device/beside_rows.h"
 #include "render/gl/device/programs.h"
-#include "render/gl/device/read_back.h"
 #include "render/gl/device/stage_timers.h"
 #include "render/gl/lic/near_tiles.h"
 #include "render/gl/project/frame_images.h"
-#include "render/guard_exchange.h"
 #include "render/lic/jump_plan.h"
+#include "render/lic/phase_mix.h"
 
 namespace aeolic::gl {
 
@@ -78,6 +80,32 @@ private:
     Extent around_;  // The rows in `memory_`: the stripe and those beside.
     SharedMemory memory_{true};
     Fence copied_;
+};
+
+/// The last step of even streaks (render/flatten.h).
+class Flatten {
+public:
+    /// What Backend::flatten() does, rows global. `height`: the picture's.
+    void run(Programs& programs, const FrameImages& images, const LicOptions& lic, int height, const Extent& compute,
+             RowExchange* beside, int more, StageTimers& timers);
+
+private:
+    BesideRows words_;
+    GrowingBuffer sums_{0};
+};
+
+/// The values that a cycle of phases is mixed from, on the device: a texture for each that is kept, as large as that of
+/// the LIC stage's values.
+class GlPhases {
+public:
+    void keep(int which, const FrameImages& images);
+
+    /// What Backend::mixPhases() does, over all rows that are held.
+    void mix(Programs& programs, const FrameImages& images, const phase_mix::Mixture& mixture,
+             StageTimers& timers) const;
+
+private:
+    std::array<Texture, phase_mix::kMostKept> kept_;
 };
 
 }  // namespace aeolic::gl

@@ -1,7 +1,5 @@
-#include "render/gl/lic/gl_phases.h"
-
-#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
+#include "render/gl/lic/gl_lic_stage.h"
 
 namespace aeolic::gl {
 

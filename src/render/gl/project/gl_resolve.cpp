@@ -1,9 +1,11 @@
 #include "render/gl/project/gl_resolve.h"
 
+#include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "render/gbuffer.h"
-#include "render/gl/device/arguments.h"
+#include "render/gl/device/copies.h"
 #include "render/gl/device/dispatch.h"
 #include "render/gl/lic/near_tiles.h"
 #include "render/limits.h"
@@ -32,6 +34,16 @@ GLuint resolveProgram(Programs& programs, const Scene& scene, bool brick)
                                         {"POINT_SCALARS", !mesh.pointScalars.empty()}});
 }
 
+/// Gives the light of the pixels that `masked` marks its sign, in rows [y0, y1), global. `masked` holds the same rows
+/// as the images.
+void maskLight(Programs& programs, const FrameImages& images, const Texture& masked, int y0, int y1)
+{
+    const GLuint program = programs.compute("mask_light");
+    masked.bind(0);
+    images.surface.bindImage(0);
+    dispatchOver(program, {0, y0 - images.valid.y0, images.surface.width(), y1 - images.valid.y0}, kGroupWidth);
+}
+
 }  // namespace
 
 void resolve(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& area)
@@ -47,38 +59,39 @@ void resolve(Programs& programs, const GpuScene& scene, const FrameImages& image
     dispatchOver(resolveProgram(programs, scene.scene(), false), area, kGroupWidth);
 }
 
-void BrickResolve::start(Programs& programs, const GpuScene& scene, const FrameImages& images, bool withMask,
-                         FieldPixels& out)
+void BrickPixels::start(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& drawn,
+                        bool withMask)
 {
-    const Extent& area = out.drawn;
     const bool withScalar = scene.scene().scalarFromField();
-    out.flow.resize(area);
-    if (withScalar) out.scalar.resize(area);
-    if (withMask) out.masked.resize(area);
-    if (area.empty()) return;
-    const std::size_t bytes = std::size_t(area.width()) * std::size_t(area.height()) * 4;
-    flow_.reserve(bytes);
-    scalar_.reserve(withScalar ? bytes : 4);
-    mask_.reserve(withMask ? bytes : 4);
+    withMask_ = withMask;
+    pixels_.drawn = drawn;
+    pixels_.flow.resize(drawn);
+    if (withScalar) pixels_.scalar.resize(drawn);
+    if (withMask) pixels_.masked.resize(drawn);
+    if (drawn.empty()) return;
+    const std::size_t bytes = std::size_t(drawn.width()) * std::size_t(drawn.height()) * 4;
+    flowBuffer_.reserve(bytes);
+    scalarBuffer_.reserve(withScalar ? bytes : 4);
+    maskBuffer_.reserve(withMask ? bytes : 4);
     scene.bindMesh();
     scene.bindFields();
     images.visible.bind(0);
-    bindStorage(4, flow_.get());
-    bindStorage(5, scalar_.get());
-    bindStorage(6, mask_.get());
-    dispatchOver(resolveProgram(programs, scene.scene(), true), area, kGroupWidth);
+    bindStorage(4, flowBuffer_.get());
+    bindStorage(5, scalarBuffer_.get());
+    bindStorage(6, maskBuffer_.get());
+    dispatchOver(resolveProgram(programs, scene.scene(), true), drawn, kGroupWidth);
     const auto copy = [&](ReadBack& copied, const GrowingBuffer& from) {
         copied.copy(from.get(), bytes);
         copied.start();
     };
-    copy(flowCopy_, flow_);
-    if (withScalar) copy(scalarCopy_, scalar_);
-    if (withMask) copy(maskCopy_, mask_);
+    copy(flowCopy_, flowBuffer_);
+    if (withScalar) copy(scalarCopy_, scalarBuffer_);
+    if (withMask) copy(maskCopy_, maskBuffer_);
 }
 
-void BrickResolve::finish(FieldPixels& out)
+const FieldPixels& BrickPixels::finish()
 {
-    const Extent& area = out.drawn;
+    const Extent& area = pixels_.drawn;
     const std::size_t rowBytes = std::size_t(area.width()) * 4;
     const auto take = [&](ReadBack& copied, auto& image) {
         if (!copied.pending()) return;  // There is none, or nothing in it.
@@ -86,17 +99,39 @@ void BrickResolve::finish(FieldPixels& out)
         for (int y = area.y0; y < area.y1; ++y)
             std::memcpy(&image.at(area.x0, y), from + std::size_t(y - area.y0) * rowBytes, rowBytes);
     };
-    take(flowCopy_, out.flow);
-    take(scalarCopy_, out.scalar);
-    take(maskCopy_, out.masked);
+    take(flowCopy_, pixels_.flow);
+    take(scalarCopy_, pixels_.scalar);
+    take(maskCopy_, pixels_.masked);
+    return pixels_;
 }
 
-void maskLight(Programs& programs, const FrameImages& images, const Texture& masked, int y0, int y1)
+FieldRows BrickPixels::rows(const FrameImages& images, bool withScalar, bool mixed)
 {
-    const GLuint program = programs.compute("mask_light");
-    masked.bind(0);
-    images.surface.bindImage(0);
-    dispatchOver(program, {0, y0 - images.valid.y0, images.surface.width(), y1 - images.valid.y0}, kGroupWidth);
+    const Extent& valid = images.valid;
+    withScalar_ = withScalar;
+    const auto clear = [&](auto& image, auto value) {
+        image.resize(valid);
+        for (int y = valid.y0; y < valid.y1; ++y) std::fill_n(&image.at(valid.x0, y), valid.width(), value);
+    };
+    clear(flow_, 0u);
+    if (withScalar) clear(scalar_, std::numeric_limits<float>::quiet_NaN());
+    if (withMask_) clear(masked_, 0u);
+    if (mixed) copyFlow(images, flow_, withScalar ? &scalar_ : nullptr);
+    return {&flow_, withScalar ? &scalar_ : nullptr, withMask_ ? &masked_ : nullptr};
+}
+
+void BrickPixels::upload(Programs& programs, const FrameImages& images, int y0, int y1)
+{
+    gl::upload(images.flow, imageRows(flow_), y0, y1);
+    if (withScalar_) gl::upload(images.scalar, imageRows(scalar_), y0, y1);
+    if (!withMask_) return;
+    const int width = images.flow.width(), height = images.flow.height();
+    if (!mask_ || mask_.width() != width || mask_.height() != height) {
+        mask_ = {};
+        mask_ = Texture::image(GL_R32UI, width, height);
+    }
+    gl::upload(mask_, imageRows(masked_), y0, y1);
+    maskLight(programs, images, mask_, y0, y1);
 }
 
 void linkSheets(Programs& programs, const NearTiles& near, const FrameImages& images, float focalPx, int y0, int y1)

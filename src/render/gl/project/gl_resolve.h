@@ -12,22 +12,35 @@ namespace aeolic::gl {
 /// field is split into bricks: without the field's values. The view block is bound.
 void resolve(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& area);
 
-/// The field's part alone, of the pixels that lie in this rank's brick.
-class BrickResolve {
+/// Where the field is split into bricks: this rank's pixels on their way to all ranks, and all bricks' pixels of this
+/// rank's rows on their way back to the device.
+class BrickPixels {
 public:
-    /// Makes `out` as large as `out.drawn`, and has it filled; its mask only `withMask`.
-    void start(Programs& programs, const GpuScene& scene, const FrameImages& images, bool withMask, FieldPixels& out);
-    /// Waits for the device: `out`, which was started, is filled.
-    void finish(FieldPixels& out);
+    /// Has the field's part found of those visible pixels of `drawn` that lie in this rank's brick. `withMask`: also
+    /// where no streaks show.
+    void start(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& drawn,
+               bool withMask);
+    /// Those. Waits for the device, and with it for what it still has to do of the frame before: other ranks wait for
+    /// them too.
+    const FieldPixels& finish();
+
+    /// The rows held, to be filled by others. `mixed`: with what surfaces carry, for which this waits for the device;
+    /// else with nothing in them yet.
+    FieldRows rows(const FrameImages& images, bool withScalar, bool mixed);
+
+    /// Rows [y0, y1) (global) of those, to the device.
+    void upload(Programs& programs, const FrameImages& images, int y0, int y1);
 
 private:
-    GrowingBuffer flow_{0}, scalar_{0}, mask_{0};
+    GrowingBuffer flowBuffer_{0}, scalarBuffer_{0}, maskBuffer_{0};
     ReadBack flowCopy_, scalarCopy_, maskCopy_;
+    FieldPixels pixels_;
+    Image<std::uint32_t> flow_;
+    Image<float> scalar_;
+    Image<std::uint32_t> masked_;
+    Texture mask_;  // The same on the device.
+    bool withScalar_ = false, withMask_ = false;
 };
-
-/// Gives the light of the pixels that `masked` marks its sign, in rows [y0, y1), global. `masked` holds the same rows
-/// as the images.
-void maskLight(Programs& programs, const FrameImages& images, const Texture& masked, int y0, int y1);
 
 /// Which of a pixel's neighbours lie on its own sheet, for rows [y0, y1) of those held; runs near flow.
 class NearTiles;

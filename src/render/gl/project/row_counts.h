@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "render/gl/device/gpu_scene.h"
 #include "render/gl/device/programs.h"
 #include "render/gl/device/read_back.h"
-#include "render/gl/project/frame_images.h"
+#include "render/view.h"
 
 namespace aeolic::gl {
 
@@ -26,6 +28,18 @@ private:
     GrowingBuffer counts_{0};
     ReadBack copy_;
     const std::byte* found_ = nullptr;
+};
+
+/// Counts the covered pixels of each row at a lower resolution.
+class CoverageCount {
+public:
+    std::vector<std::int64_t> count(Programs& programs, const GpuScene& scene, const View& view);
+
+private:
+    Buffer block_;
+    Texture ids_, depth_;
+    Framebuffer target_;
+    RowCounts counts_;
 };
 
 }  // namespace aeolic::gl

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "render/gbuffer.h"
-#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 #include "render/occlusion.h"
 

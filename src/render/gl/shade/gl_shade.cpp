@@ -1,6 +1,5 @@
 #include "render/gl/shade/gl_shade.h"
 
-#include "render/gl/device/arguments.h"
 #include "render/gl/device/dispatch.h"
 #include "render/gl/device/gl_blocks.h"
 

@@ -145,7 +145,7 @@ FlowSample sampleFlow(inout Trace t, vec2 to)
                       whole * vec2(fma(w.x, both.x, left.x), fma(w.x, both.y, left.y)));
 }
 
-// The stream tube's width after half a step at `s`, in widths before it, at most 1 (cpu/lic/tube-inl.h). `unitPx`: of the
+// The stream tube's width after half a step at `s`, in widths before it, at most 1 (cpu/lic/trace-inl.h). `unitPx`: of the
 // vectors, negative for a trace upstream; 0 leaves all widths as they are.
 float halfNarrowing(FlowSample s, float unitPx)
 {

@@ -12,14 +12,16 @@ public:
 
     Allowance(double atOnce, double perSecond) : atOnce_(atOnce), perSecond_(perSecond), left_(atOnce) {}
 
-    bool has(Time now)
+    /// Takes one. False where none is left.
+    bool take(Time now)
     {
         const double seconds = std::max(0.0, std::chrono::duration<double>(now - last_).count());
         last_ = now;
         left_ = std::min(atOnce_, left_ + seconds * perSecond_);
-        return left_ >= 1;
+        const bool isThere = left_ >= 1;
+        left_ = std::max(0.0, left_ - 1);
+        return isThere;
     }
-    void take() { left_ = std::max(0.0, left_ - 1); }
 
 private:
     double atOnce_, perSecond_, left_;

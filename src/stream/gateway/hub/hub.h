@@ -98,6 +98,9 @@ public:
     const std::optional<std::string>& loadError() const { return loadError_; }
 
 private:
+    static constexpr const char* kOtherPlaces =
+        "another viewer has taken a surface away meanwhile; what was asked of the surfaces was not done";
+
     enum class State { loading, ready, restarting, failed };
 
     /// A scene that the job loads, and the viewer that asked for it (0: none).
@@ -194,13 +197,12 @@ private:
     void onChange(Viewer& viewer, ChangeRequest change);
     SceneDescription changed(const Viewer& viewer, const ChangeRequest& change) const;
     bool isOfOtherPlaces(const ChangeRequest& change) const;
-    void refuseOfOtherPlaces();
     bool mayChange(const Viewer& viewer) const;
     void beginChange(Viewer& viewer);
     void answer(Viewer& viewer, std::uint32_t change);
     void refuseNewest(Viewer& viewer, std::uint32_t change, const std::string& message);
     void refuse(Viewer& viewer, std::uint32_t change, const std::string& message);
-    void refuseAll(const std::string& message);
+    void refuseWaiting(const std::string& message, bool ofOtherPlacesOnly);
     bool sceneMoves() const;
     void restIfDue();
 

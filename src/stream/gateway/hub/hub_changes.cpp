@@ -12,8 +12,6 @@
 /// that it does not depend on another viewer's change, which may be refused.
 namespace aeolic::stream {
 
-constexpr const char* kOtherPlaces =
-    "another viewer has taken a surface away meanwhile; what was asked of the surfaces was not done";
 constexpr std::size_t kMostSteered = 64;  // As many controls as a program can have.
 
 void Hub::onChange(Viewer& from, ChangeRequest change)
@@ -68,17 +66,6 @@ SceneDescription Hub::changed(const Viewer& from, const ChangeRequest& change) c
 bool Hub::isOfOtherPlaces(const ChangeRequest& change) const
 {
     return change.places && *change.places != places_ && (!change.cuts.empty() || change.shown);
-}
-
-/// A surface was taken away. What waits and counted it may mean another one now, or none.
-void Hub::refuseOfOtherPlaces()
-{
-    for (auto& [id, viewer] : viewers_)
-        if (viewer.change && isOfOtherPlaces(*viewer.change)) {
-            const std::uint32_t number = viewer.change->number;
-            viewer.change.reset();
-            refuse(viewer, number, kOtherPlaces);
-        }
 }
 
 /// Whether a viewer's change need not wait for the viewer itself: it has room for the picture that will show it. So
@@ -186,11 +173,12 @@ void Hub::refuse(Viewer& viewer, std::uint32_t change, const std::string& messag
     answer(viewer, change);
 }
 
-/// Nothing will be loaded any more.
-void Hub::refuseAll(const std::string& message)
+/// Refuses the changes that wait, or only those that count surfaces as they were before one was taken away: these may
+/// mean another surface now, or none.
+void Hub::refuseWaiting(const std::string& message, bool ofOtherPlacesOnly)
 {
     for (auto& [id, viewer] : viewers_)
-        if (viewer.change) {
+        if (viewer.change && (!ofOtherPlacesOnly || isOfOtherPlaces(*viewer.change))) {
             const std::uint32_t number = viewer.change->number;
             viewer.change.reset();
             refuse(viewer, number, message);

@@ -6,7 +6,6 @@
 #include "aeolic/error.h"
 #include "render/overlay/text_size.h"
 #include "stream/gateway/hub/hub.h"
-#include "stream/goodbye.h"
 
 namespace aeolic::stream {
 namespace {

@@ -1,5 +1,4 @@
 #include "stream/gateway/hub/hub_testing.h"
-#include "stream/goodbye.h"
 
 /// Viewers that read slowly or nothing: the memory that their pictures take has a bound for all of them together.
 namespace aeolic::stream {

@@ -75,7 +75,7 @@ void Hub::onScene(ByteView payload)
     nameSurfaces(scene, options_.scene);
     setScene(scene);
     if (const auto asker = viewers_.find(changedBy_); asker != viewers_.end()) answer(asker->second, number);
-    if (takesAway) refuseOfOtherPlaces();
+    if (takesAway) refuseWaiting(kOtherPlaces, true);
     if (state_ != State::ready) setState(State::ready, "");
     drawAllAgain();
 }
@@ -279,7 +279,7 @@ void Hub::jobGivenUp(const std::string& message)
     loading_.reset();
     jobRuns_ = false;
     setState(State::failed, message);
-    refuseAll("the renderer is gone; the scene stays as it was");
+    refuseWaiting("the renderer is gone; the scene stays as it was", false);
 }
 
 void Hub::jobCannotStart(const std::string& message)

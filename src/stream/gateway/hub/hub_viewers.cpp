@@ -106,11 +106,10 @@ void Hub::onView(Viewer& from, ViewRequest request)
     // It is laid over the scene only when its turn to be drawn comes: most views never are, a newer one replaces them.
     from.following = 0;
     from.lookedAt = now_();
-    if (!from.views.has(now_())) {
+    if (!from.views.take(now_())) {
         from.timeHad += kTooManyMs;
         from.restsUntil = std::max(from.restsUntil, now_()) + kTooManyRest;
     }
-    from.views.take();
     if (!from.wanted || from.againFor != 0) from.wantedSince = now_();
     from.againFrom = {};
     from.againFor = 0;
@@ -130,8 +129,7 @@ void Hub::onShown(Viewer& from, std::uint32_t frame)
     if (known && from.picture && from.picture->header.frame == frame) {
         const StoredFrame& shown = *from.picture;
         const double showMs = std::chrono::duration<double, std::milli>(now_() - shown.sent).count();
-        from.pace.add({shown.drawMs, showMs, double(shown.header.width) * shown.header.height, double(shown.bytes),
-                       shown.moving});
+        from.pace.add({shown.drawMs, showMs, double(shown.bytes), shown.moving});
     }
     goOn(from);
 }

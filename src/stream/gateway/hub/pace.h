@@ -8,7 +8,6 @@ namespace aeolic::stream {
 struct FrameTiming {
     double drawMs = 0;  ///< From the request to the job until the last byte was passed on.
     double showMs = 0;  ///< From the last byte until the viewer had shown the frame.
-    double pixels = 0;  ///< Pixels drawn.
     double bytes = 0;   ///< Bytes of the encoded frame.
     bool moving = false;
 };

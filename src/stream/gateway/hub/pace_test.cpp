@@ -23,7 +23,7 @@ struct World {
     {
         const double share = pace.scale() * pace.scale();
         const double bytes = kPixels * share * bytesPerPixel * pace.quality() / 80;
-        return {fixedMs + drawMsFull * share, latencyMs + bytes / bytesPerMs, kPixels * share, bytes, true};
+        return {fixedMs + drawMsFull * share, latencyMs + bytes / bytesPerMs, bytes, true};
     }
 };
 
@@ -111,7 +111,7 @@ TEST(Pace, OneHiccupCostsOneStepForAMoment)
 {
     Pace pace;
     run(pace, {.drawMsFull = 20}, 20);
-    pace.add({.drawMs = 400, .showMs = 1, .pixels = kPixels, .bytes = 1e5, .moving = true});
+    pace.add({.drawMs = 400, .showMs = 1, .bytes = 1e5, .moving = true});
     EXPECT_EQ(pace.scale(), 0.75);
     run(pace, {.drawMsFull = 20}, 10);
     EXPECT_EQ(pace.scale(), 1);
@@ -120,7 +120,7 @@ TEST(Pace, OneHiccupCostsOneStepForAMoment)
 /// Quick frames before a hiccup say nothing about those after it.
 TEST(Pace, CalmIsCountedAnewAfterEveryHiccup)
 {
-    constexpr FrameTiming hiccup{.drawMs = 1, .showMs = 400, .pixels = kPixels, .bytes = 1e4, .moving = true};
+    constexpr FrameTiming hiccup{.drawMs = 1, .showMs = 400, .bytes = 1e4, .moving = true};
     const auto framesToGrow = [](Pace& pace) {
         const int quality = pace.quality();
         int frames = 0;
@@ -150,7 +150,7 @@ TEST(Pace, OldFailuresAreForgotten)
         run(pace, {.fixedMs = pace.scale() == 1 ? 60.0 : 15.0}, 1);
     run(pace, {.drawMsFull = 20}, 1000);
     ASSERT_EQ(pace.scale(), 1);
-    pace.add({.drawMs = 400, .showMs = 1, .pixels = kPixels, .bytes = 1e5, .moving = true});
+    pace.add({.drawMs = 400, .showMs = 1, .bytes = 1e5, .moving = true});
     EXPECT_EQ(pace.scale(), 0.75);
     run(pace, {.drawMsFull = 20}, 10);
     EXPECT_EQ(pace.scale(), 1);
@@ -159,7 +159,7 @@ TEST(Pace, OldFailuresAreForgotten)
 TEST(Pace, PicturesAtRestSayNothingAboutMoving)
 {
     Pace pace;
-    for (int i = 0; i < 50; ++i) pace.add({.drawMs = 900, .showMs = 900, .pixels = kPixels, .bytes = 1e6});
+    for (int i = 0; i < 50; ++i) pace.add({.drawMs = 900, .showMs = 900, .bytes = 1e6});
     EXPECT_EQ(pace.scale(), 1);
     EXPECT_EQ(pace.quality(), 80);
 }
@@ -169,13 +169,13 @@ TEST(Pace, PacksFastOnAFastLineAndSmallOnASlowOne)
     Pace unknown;
     EXPECT_EQ(unknown.lossless(true), Codec::png) << "nothing is known of the line";
     Pace fast;
-    for (int i = 0; i < 10; ++i) fast.add({.drawMs = 30, .showMs = 5, .pixels = kPixels, .bytes = 1e6});
+    for (int i = 0; i < 10; ++i) fast.add({.drawMs = 30, .showMs = 5, .bytes = 1e6});
     EXPECT_EQ(fast.lossless(true), Codec::lz4);
     EXPECT_EQ(fast.lossless(false), Codec::png) << "the viewer cannot";
     Pace slow;
-    for (int i = 0; i < 10; ++i) slow.add({.drawMs = 30, .showMs = 800, .pixels = kPixels, .bytes = 1e6});
+    for (int i = 0; i < 10; ++i) slow.add({.drawMs = 30, .showMs = 800, .bytes = 1e6});
     EXPECT_EQ(slow.lossless(true), Codec::png);
-    for (int i = 0; i < 1000; ++i) fast.add({.drawMs = 30, .showMs = 100, .pixels = kPixels, .bytes = 2000});
+    for (int i = 0; i < 1000; ++i) fast.add({.drawMs = 30, .showMs = 100, .bytes = 2000});
     EXPECT_EQ(fast.lossless(true), Codec::lz4) << "small pictures say little about the line";
 }
 
@@ -183,8 +183,8 @@ TEST(Pace, AClockThatStandsStillOrGoesBackDoesNoHarm)
 {
     Pace pace;
     for (int i = 0; i < 100; ++i) {
-        pace.add({.drawMs = 0, .showMs = 0, .pixels = kPixels, .bytes = 1e6, .moving = true});
-        pace.add({.drawMs = -5, .showMs = -5, .pixels = kPixels, .bytes = 1e6, .moving = true});
+        pace.add({.drawMs = 0, .showMs = 0, .bytes = 1e6, .moving = true});
+        pace.add({.drawMs = -5, .showMs = -5, .bytes = 1e6, .moving = true});
     }
     EXPECT_EQ(pace.scale(), 1);
     EXPECT_EQ(pace.quality(), 80);

@@ -1,7 +1,8 @@
 #include "render/cpu/project/raster/clip.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "render/cpu/project/raster/transform.h"
 
 namespace aeolic::cpu {
 
@@ -47,29 +48,14 @@ std::vector<ClippedTriangle> clippedPieces(const SurfaceMesh& mesh, const View& 
     const int count = clipTriangle(eye, view.nearDepth, guardX, guardY, corners);
     std::vector<ClippedTriangle> pieces;
     for (int k = 2; k < count; ++k) {
-        ClippedTriangle piece{};
-        piece.original = id;
-        for (int c = 0; c < 3; ++c) {
-            const glm::dvec3& p = corners[std::size_t(c == 0 ? 0 : k - 2 + c)];
-            piece.x[c] = std::int32_t(std::lround((view.centerX + view.focalPx * p.x / p.z) * kSubpixels));
-            piece.y[c] = std::int32_t(std::lround((view.centerY - view.focalPx * p.y / p.z) * kSubpixels));
-            piece.invDepth[c] = float(1.0 / p.z);
-        }
-        pieces.push_back(piece);
+        const auto corner = [&](int i) {
+            const glm::dvec3& p = corners[std::size_t(i)];
+            return Corner{std::lround((view.centerX + view.focalPx * p.x / p.z) * kSubpixels),
+                          std::lround((view.centerY - view.focalPx * p.y / p.z) * kSubpixels), float(1.0 / p.z)};
+        };
+        pieces.push_back({{corner(0), corner(k - 1), corner(k)}, id});
     }
     return pieces;
-}
-
-TriangleBox boxOf(const ClippedTriangle& piece, const Extent& scissor, int margin)
-{
-    const auto low = [&](const std::int32_t* v) {
-        return (std::min({v[0], v[1], v[2]}) - margin + kSubpixels / 2 - 1) >> kSubpixelBits;
-    };
-    const auto high = [&](const std::int32_t* v) {
-        return ((std::max({v[0], v[1], v[2]}) + margin - kSubpixels / 2) >> kSubpixelBits) + 1;
-    };
-    return {piece.original, std::max(low(piece.x), scissor.x0), std::max(low(piece.y), scissor.y0),
-            std::min(high(piece.x), scissor.x1), std::min(high(piece.y), scissor.y1)};
 }
 
 }  // namespace aeolic::cpu

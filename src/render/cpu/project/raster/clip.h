@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "data/mesh/surface_mesh.h"
-#include "render/cpu/project/raster/transform.h"
+#include "render/cpu/project/raster/raster.h"
 #include "render/view.h"
 
 namespace aeolic::cpu {
@@ -23,16 +23,11 @@ int clipTriangle(const std::array<glm::dvec3, 3>& corners, double nearDepth, dou
 
 /// A piece of a triangle cut at the near plane or the guard band.
 struct ClippedTriangle {
-    std::int32_t x[3], y[3];  ///< Sub-pixels (transform.h).
-    float invDepth[3];
+    std::array<Corner, 3> corners;
     std::uint32_t original;
 };
 
 /// The pieces of a triangle that setUpTriangles() found unsafe; none where nothing of it is seen.
 std::vector<ClippedTriangle> clippedPieces(const SurfaceMesh& mesh, const View& view, std::uint32_t id);
-
-/// Its pixel bounds within `scissor`, empty where it covers no pixel centre's row or column; the id is the original's.
-/// `margin`: as setUpTriangles() has it.
-TriangleBox boxOf(const ClippedTriangle& piece, const Extent& scissor, int margin);
 
 }  // namespace aeolic::cpu

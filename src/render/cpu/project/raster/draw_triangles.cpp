@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstddef>
 
+#include "render/cpu/project/raster/triangle_rows.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/project/raster/draw_triangles.cpp"
 #include <hwy/foreach_target.h>
@@ -77,11 +79,9 @@ void drawAll(const SurfaceMesh& mesh, const ScreenVertices& screen, std::span<co
         setUp(mesh, screen, tile, 0, rule, batch);
         for (std::size_t i = 0; i < count; ++i) {
             if (batch.isLarge[i]) {
-                const auto& t = mesh.triangles[batch.id[i]];
-                const auto corner = [&](std::size_t k) {
-                    return Corner{screen[t[k]].x, screen[t[k]].y, screen[t[k]].invDepth};
-                };
-                drawTriangle(corner(0), corner(1), corner(2), batch.id[i], tile, rule, drawn, keys);
+                const auto [a, b, c] = mesh.triangles[batch.id[i]];
+                drawTriangle(cornerOf(screen[a]), cornerOf(screen[b]), cornerOf(screen[c]), batch.id[i], tile, rule,
+                             drawn, keys);
             } else if (batch.isReady[i] &&
                        !(drawn && drawn->hide(batch.highest[i] + batch.bias[i], batch.x0[i] - tile.x0,
                                               batch.y0[i] - tile.y0, batch.x1[i] - tile.x0, batch.y1[i] - tile.y0))) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <tuple>
 
 #include "render/cpu/project/raster/transform.h"
 #include "render/cpu/project/raster/triangle_rows.h"
@@ -29,17 +30,18 @@ void drawRows(TriangleRows t, const Extent& tile, TileKeys& keys)
                bias = hn::Set(df, t.bias);
     const auto rise = [&](std::int64_t perPixel) { return hn::Mul(lane, hn::Set(d, double(perPixel))); };
     const auto e0 = rise(t.edgeX[0]), e1 = rise(t.edgeX[1]), e2 = rise(t.edgeX[2]);
-    for (int y = t.y0; y < t.y1; ++y) {
+    for (int y = t.over.y0; y < t.over.y1; ++y) {
         std::uint64_t* row = keys.key[y - tile.y0] - tile.x0;
         const double rowDepth = t.rowDepth();
-        for (int x = t.x0; x < t.x1; x += int(hn::Lanes(d))) {
-            const auto start = [&](int k) { return hn::Set(d, double(t.edge[k] + (x - t.x0) * t.edgeX[k])); };
+        for (int x = t.over.x0; x < t.over.x1; x += int(hn::Lanes(d))) {
+            const auto start = [&](int k) { return hn::Set(d, double(t.edge[k] + (x - t.over.x0) * t.edgeX[k])); };
             const auto smallest = hn::Min(hn::Min(hn::Add(e0, start(0)), hn::Add(e1, start(1))), hn::Add(e2, start(2)));
-            const auto column = hn::Add(lane, hn::Set(d, double(x - t.x0)));
-            const auto inside = hn::And(hn::Ge(smallest, zero), hn::Lt(column, hn::Set(d, double(t.x1 - t.x0))));
+            const auto column = hn::Add(lane, hn::Set(d, double(x - t.over.x0)));
+            const auto inside =
+                hn::And(hn::Ge(smallest, zero), hn::Lt(column, hn::Set(d, double(t.over.x1 - t.over.x0))));
             if (hn::AllFalse(d, inside)) continue;
             const auto fromA = hn::Add(hn::Mul(lane, hn::Set(d, double(kSubpixels))),
-                                       hn::Set(d, double(t.fromAX + (x - t.x0) * kSubpixels)));
+                                       hn::Set(d, double(t.fromAX + (x - t.over.x0) * kSubpixels)));
             const auto plane = hn::Add(hn::Mul(fromA, hn::Set(d, t.depthX)), hn::Set(d, rowDepth));
             const auto depth = hn::Add(hn::Min(hn::Max(hn::DemoteTo(df, plane), lowest), highest), bias);
             const auto key = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(du, hn::BitCast(du32, depth))), notId);
@@ -94,13 +96,13 @@ std::int64_t cross(const Corner& a, const Corner& b, std::int64_t x, std::int64_
 // Triangles whose edge values need more than a double's 53 bits: thousands of pixels wide, and few.
 void drawWide(TriangleRows t, const Extent& tile, TileKeys& keys)
 {
-    for (int y = t.y0; y < t.y1; ++y) {
+    for (int y = t.over.y0; y < t.over.y1; ++y) {
         std::uint64_t* row = keys.key[y - tile.y0] - tile.x0;
         const double rowDepth = t.rowDepth();
         std::int64_t e = t.edge[0], f = t.edge[1], g = t.edge[2];
-        for (int x = t.x0; x < t.x1; ++x, e += t.edgeX[0], f += t.edgeX[1], g += t.edgeX[2]) {
+        for (int x = t.over.x0; x < t.over.x1; ++x, e += t.edgeX[0], f += t.edgeX[1], g += t.edgeX[2]) {
             if ((e | f | g) < 0) continue;
-            const double plane = double(t.fromAX + (x - t.x0) * kSubpixels) * t.depthX + rowDepth;
+            const double plane = double(t.fromAX + (x - t.over.x0) * kSubpixels) * t.depthX + rowDepth;
             const float depth = std::min(std::max(float(plane), t.lowest), t.highest) + t.bias;
             if (depth < t.farthest) continue;
             row[x] = std::max(row[x], (std::uint64_t(std::bit_cast<std::uint32_t>(depth)) << 32) | t.notId);
@@ -130,25 +132,13 @@ std::optional<TriangleRows> triangleRows(Corner a, Corner b, Corner c, std::uint
     }
     // From the same corner on, so that triangles in the same place get the same depths to the last bit.
     const auto comesFirst = [](const Corner& p, const Corner& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); };
-    if (comesFirst(b, a) && !comesFirst(c, b)) {
-        const Corner first = a;
-        a = b, b = c, c = first;
-    } else if (comesFirst(c, a)) {
-        const Corner first = a;
-        a = c, c = b, b = first;
-    }
-    const std::int64_t left = std::min({a.x, b.x, c.x}), right = std::max({a.x, b.x, c.x});
-    const std::int64_t top = std::min({a.y, b.y, c.y}), bottom = std::max({a.y, b.y, c.y});
-    // A pixel centre lies at 256 x + 128: the first at or after the least corner, to the last at or before the
-    // greatest.
-    const auto first = [&](std::int64_t v) { return int((v - margin + kSubpixels / 2 - 1) >> kSubpixelBits); };
-    const auto pastLast = [&](std::int64_t v) { return int(((v + margin - kSubpixels / 2) >> kSubpixelBits) + 1); };
+    if (comesFirst(b, a) && !comesFirst(c, b))
+        std::tie(a, b, c) = std::tuple(b, c, a);
+    else if (comesFirst(c, a))
+        std::tie(a, b, c) = std::tuple(c, a, b);
     TriangleRows t{};
-    t.x0 = std::max(first(left), tile.x0);
-    t.x1 = std::min(pastLast(right), tile.x1);
-    t.y0 = std::max(first(top), tile.y0);
-    t.y1 = std::min(pastLast(bottom), tile.y1);
-    if (t.x0 >= t.x1 || t.y0 >= t.y1) return std::nullopt;
+    t.over = pixelsOver(a, b, c, margin, tile);
+    if (t.over.empty()) return std::nullopt;
     t.lowest = std::min({a.invDepth, b.invDepth, c.invDepth});
     t.highest = std::max({a.invDepth, b.invDepth, c.invDepth});
     if (t.highest < rule.farInvDepth) return std::nullopt;
@@ -161,8 +151,8 @@ std::optional<TriangleRows> triangleRows(Corner a, Corner b, Corner c, std::uint
     t.depthY = (zc * double(b.x - a.x) - zb * double(c.x - a.x)) * inverseArea;
     t.bias = isFront ? float(frontBias(t.depthX, t.depthY, double(t.lowest), double(t.highest))) : 0.0f;
 
-    const std::int64_t px = std::int64_t(t.x0) * kSubpixels + kSubpixels / 2,
-                       py = std::int64_t(t.y0) * kSubpixels + kSubpixels / 2;
+    const std::int64_t px = std::int64_t(t.over.x0) * kSubpixels + kSubpixels / 2,
+                       py = std::int64_t(t.over.y0) * kSubpixels + kSubpixels / 2;
     const Corner corners[3] = {a, b, c};
     for (int k = 0; k < 3; ++k) {
         const Corner &p = corners[k], &q = corners[(k + 1) % 3];
@@ -175,6 +165,8 @@ std::optional<TriangleRows> triangleRows(Corner a, Corner b, Corner c, std::uint
     t.farthest = rule.farInvDepth;
     t.notId = ~id;
     constexpr std::int64_t kExactSpan = std::int64_t{1} << 24;  // Spans up to 2^24 make edge values up to 2^50.
+    const auto [left, right] = std::minmax({a.x, b.x, c.x});
+    const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
     t.fitsDoubles = right - left < kExactSpan && bottom - top < kExactSpan;
     return t;
 }
@@ -184,7 +176,9 @@ void drawTriangle(const Corner& a, const Corner& b, const Corner& c, std::uint32
 {
     const std::optional<TriangleRows> t = triangleRows(a, b, c, id, tile, 0, rule);
     if (!t) return;
-    if (drawn && drawn->hide(t->highest + t->bias, t->x0 - tile.x0, t->y0 - tile.y0, t->x1 - tile.x0, t->y1 - tile.y0))
+    const Extent& over = t->over;
+    if (drawn &&
+        drawn->hide(t->highest + t->bias, over.x0 - tile.x0, over.y0 - tile.y0, over.x1 - tile.x0, over.y1 - tile.y0))
         return;
     if (t->fitsDoubles)
         HWY_DYNAMIC_DISPATCH(drawRows)(*t, tile, keys);

@@ -1,7 +1,6 @@
 #include "render/cpu/project/raster/transform.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "base/parallel.h"
 
@@ -10,7 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "render/cpu/project/raster/triangle_boxes-inl.h"
+#include "render/cpu/project/raster/corners-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aeolic::cpu::HWY_NAMESPACE {
@@ -49,14 +48,36 @@ void transformRange(const SceneArrays& arrays, const View& view, std::size_t beg
 // Sets the bits of the lanes chosen, of which the first is bit `at`. Words without such a bit may be another thread's.
 HWY_INLINE void markBits(hn::Mask<DI> chosen, std::size_t at, std::uint64_t* words)
 {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(DI(), chosen, bytes);
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, bytes, sizeof bits);
+    const std::uint64_t bits = bitsOf(DI(), chosen);
     constexpr std::size_t kWord = 64;
     const std::uint64_t low = bits << (at % kWord), high = at % kWord == 0 ? 0 : bits >> (kWord - at % kWord);
     if (low != 0) words[at / kWord] |= low;
     if (high != 0) words[at / kWord + 1] |= high;
+}
+
+// Where triangles that follow each other are on the image, a triangle a lane, as TriangleBox has it.
+struct Boxes {
+    VI x0, y0, x1, y1, facing, beside;
+};
+
+// Appends the boxes of the `chosen` ones, in ascending order of id. `first`: id of lane 0.
+HWY_INLINE void appendBoxes(const Boxes& some, std::size_t first, hn::Mask<DI> chosen, std::vector<TriangleBox>& boxes)
+{
+    const DI d;
+    constexpr std::size_t kMaxLanes = hn::MaxLanes(d);
+    HWY_ALIGN std::int32_t lane[kMaxLanes], x0[kMaxLanes], y0[kMaxLanes], x1[kMaxLanes], y1[kMaxLanes],
+        faces[kMaxLanes], beside[kMaxLanes];
+    const std::size_t count = compressStore(hn::Iota(d, 0), chosen, d, lane);
+    if (count == 0) return;
+    compressStore(some.x0, chosen, d, x0);
+    compressStore(some.y0, chosen, d, y0);
+    compressStore(some.x1, chosen, d, x1);
+    compressStore(some.y1, chosen, d, y1);
+    compressStore(some.facing, chosen, d, faces);
+    compressStore(some.beside, chosen, d, beside);
+    for (std::size_t k = 0; k < count; ++k)
+        boxes.push_back({std::uint32_t(first) + std::uint32_t(lane[k]), x0[k], y0[k], x1[k], y1[k],
+                         std::int16_t(faces[k]), std::int16_t(beside[k])});
 }
 
 void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::size_t begin, std::size_t end,
@@ -64,16 +85,67 @@ void setUpRange(const SceneArrays& arrays, const ScreenVertices& screen, std::si
 {
     const DI d;
     const DF df;
-    forEachTriangleLanes(
-        arrays, screen, begin, end, scissor, margin, out.unsafe, [&](const TriangleLanes& t) AEOLIC_INLINE {
-            if (!hn::AllFalse(d, t.between)) markBits(t.between, t.first, out.between);
-            if (hn::AllFalse(d, t.mayCover)) return;
-            const auto difference = [&](VI p, VI q) { return hn::ConvertTo(df, hn::Sub(p, q)); };
-            const auto clockwise = hn::Gt(hn::Mul(difference(t.x[1], t.x[0]), difference(t.y[2], t.y[0])),
-                                          hn::Mul(difference(t.y[1], t.y[0]), difference(t.x[2], t.x[0])));
-            const VI facing = hn::IfThenElseZero(hn::RebindMask(d, clockwise), hn::Set(d, 1));
-            appendBoxes(t, t.mayCover, facing, out.boxes);
-        });
+    const DU du;
+    constexpr std::size_t kMaxLanes = hn::MaxLanes(d);
+    const auto* triangles = reinterpret_cast<const std::uint32_t*>(arrays.scene->surface.triangles.data());
+    const std::size_t lanes = hn::Lanes(d);
+    for (std::size_t i = begin; i < end; i += lanes) {
+        // The last vector of a range steps back rather than past the end: no scalar tail, no padding of the mesh.
+        const std::size_t at = (i + lanes <= end || end < lanes) ? i : end - lanes;
+        const std::size_t count = std::min(lanes, end - at);
+        auto a = hn::Zero(du), b = hn::Zero(du), c = hn::Zero(du);
+        if (count == lanes) {
+            hn::LoadInterleaved3(du, triangles + 3 * at, a, b, c);
+        } else {
+            HWY_ALIGN std::uint32_t tail[3 * kMaxLanes] = {};
+            std::copy_n(triangles + 3 * at, 3 * count, tail);
+            hn::LoadInterleaved3(du, tail, a, b, c);
+        }
+        const Corners corner[3] = {cornersAt(screen, hn::BitCast(d, a)), cornersAt(screen, hn::BitCast(d, b)),
+                                   cornersAt(screen, hn::BitCast(d, c))};
+        const VI left = hn::Min(corner[0].x, hn::Min(corner[1].x, corner[2].x)),
+                 top = hn::Min(corner[0].y, hn::Min(corner[1].y, corner[2].y)),
+                 right = hn::Max(corner[0].x, hn::Max(corner[1].x, corner[2].x)),
+                 bottom = hn::Max(corner[0].y, hn::Max(corner[1].y, corner[2].y));
+        const auto first = [&](VI v, int edge) { return hn::Max(firstPixel(v), hn::Set(d, edge)); };
+        const auto past = [&](VI v, int edge) { return hn::Min(pastLastPixel(v), hn::Set(d, edge)); };
+        Boxes boxes;
+        boxes.x0 = first(left, scissor.x0), boxes.y0 = first(top, scissor.y0);
+        boxes.x1 = past(right, scissor.x1), boxes.y1 = past(bottom, scissor.y1);
+        const VI beside = hn::Set(d, margin);
+        const VI widerX0 = first(hn::Sub(left, beside), scissor.x0), widerY0 = first(hn::Sub(top, beside), scissor.y0);
+        const VI widerX1 = past(hn::Add(right, beside), scissor.x1),
+                 widerY1 = past(hn::Add(bottom, beside), scissor.y1);
+        const auto isSafe = hn::Ne(left, hn::Set(d, kUnsafe));
+        // Lanes seen in the previous vector (after stepping back) or past a short range do not count again.
+        const VI lane = hn::Add(hn::Iota(d, 0), hn::Set(d, std::int32_t(at) - std::int32_t(i)));
+        const auto fresh = hn::AndNot(hn::Lt(lane, hn::Zero(d)), hn::Lt(lane, hn::Set(d, std::int32_t(end - i))));
+        const auto counts = hn::And(fresh, isSafe);
+        if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(isSafe, hn::Not(fresh))))) {
+            HWY_ALIGN std::int32_t raw[kMaxLanes];
+            hn::Store(hn::IfThenElseZero(hn::AndNot(isSafe, fresh), hn::Set(d, 1)), d, raw);
+            for (std::size_t k = 0; k < lanes; ++k)
+                if (raw[k]) out.unsafe.push_back(std::uint32_t(at + k));
+        }
+        const auto covers = hn::And(hn::Lt(boxes.x0, boxes.x1), hn::Lt(boxes.y0, boxes.y1));
+        const auto mayCover = hn::And(counts, covers);
+        const auto coversWider = hn::And(hn::Lt(widerX0, widerX1), hn::Lt(widerY0, widerY1));
+        const auto between = hn::And(counts, hn::AndNot(covers, coversWider));
+        if (!hn::AllFalse(d, between)) markBits(between, at, out.between);
+        if (hn::AllFalse(d, mayCover)) continue;
+        const auto difference = [&](VI p, VI q) { return hn::ConvertTo(df, hn::Sub(p, q)); };
+        const auto clockwise =
+            hn::Gt(hn::Mul(difference(corner[1].x, corner[0].x), difference(corner[2].y, corner[0].y)),
+                   hn::Mul(difference(corner[1].y, corner[0].y), difference(corner[2].x, corner[0].x)));
+        boxes.facing = hn::IfThenElseZero(hn::RebindMask(d, clockwise), hn::Set(d, 1));
+        const auto side = [&](VI more, VI less, int bit) {
+            return hn::IfThenElseZero(hn::Gt(more, less), hn::Set(d, bit));
+        };
+        boxes.beside =
+            hn::Or(hn::Or(side(boxes.x0, widerX0, TriangleBox::kLeft), side(boxes.y0, widerY0, TriangleBox::kTop)),
+                   hn::Or(side(widerX1, boxes.x1, TriangleBox::kRight), side(widerY1, boxes.y1, TriangleBox::kBottom)));
+        appendBoxes(boxes, at, mayCover, out.boxes);
+    }
 }
 
 }  // namespace aeolic::cpu::HWY_NAMESPACE

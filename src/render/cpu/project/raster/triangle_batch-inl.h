@@ -14,8 +14,8 @@
 #include <span>
 
 #include "data/mesh/surface_mesh.h"
+#include "render/cpu/project/raster/corners-inl.h"
 #include "render/cpu/project/raster/raster.h"
-#include "render/cpu/project/raster/triangle_boxes-inl.h"
 #include "render/cpu/simd/simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();

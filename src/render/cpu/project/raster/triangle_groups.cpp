@@ -22,12 +22,6 @@ TriangleGroup groupOf(const SurfaceMesh& mesh, float perUnit, std::size_t begin,
     return {perUnit * lo, perUnit * hi, std::uint32_t(first / kBlockPoints), std::uint32_t(last / kBlockPoints)};
 }
 
-/// Whether anything between lower and upper, in pixels, may show in [begin, end). A pixel more for rounding.
-bool meets(double lower, double upper, int begin, int end)
-{
-    return upper > begin - 1 && lower < end + 1;
-}
-
 /// Along an axis of the view.
 struct Span {
     double lo, hi;
@@ -49,10 +43,10 @@ bool mayShow(const TriangleGroup& group, const View& view, const Extent& extent)
     if (depth.hi < near - room) return false;
     if (depth.lo < near + room) return true;
     const auto shows = [&](const Span& across, double centerPx, int begin, int end) {
-        // Nearer is farther out on the image.
+        // Nearer is farther out on the image. A pixel more for rounding.
         const double lower = across.lo / (across.lo < 0 ? depth.lo : depth.hi),
                      upper = across.hi / (across.hi > 0 ? depth.lo : depth.hi);
-        return meets(centerPx + double(view.focalPx) * lower, centerPx + double(view.focalPx) * upper, begin, end);
+        return centerPx + double(view.focalPx) * upper > begin - 1 && centerPx + double(view.focalPx) * lower < end + 1;
     };
     return shows(spanOf(group, view, glm::dvec3(view.right)), double(view.centerX), extent.x0, extent.x1) &&
            shows(spanOf(group, view, -glm::dvec3(view.up)), double(view.centerY), extent.y0, extent.y1);
