@@ -23,6 +23,7 @@
 
 #include "cli/commands.h"
 #include "cli/program.h"
+#include "data/reading/reader_pool.h"
 #include "file_seeds.h"
 
 namespace {
@@ -85,6 +86,7 @@ int runProgramOnce(const std::vector<std::string>& words, const char* report)
     dup2(nothing, 1);
     const rlimit noCore{0, 0};
     setrlimit(RLIMIT_CORE, &noCore);
+    const aeolic::KeptReaders kept;  // Of one file to the next, as a server's. To start one takes longer than a file.
     FILE* in = fdopen(lines, "r");
     char* line = nullptr;
     std::size_t room = 0;

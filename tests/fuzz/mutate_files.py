@@ -4,7 +4,8 @@ exit with 0 or 2, and must say exactly one line about a file that it refuses.
 Usage: mutate_files.py PROGRAM FOLDER [--seconds S | --files N] [--seed K] [--formats .vtp,.ply] [--processes P]
 PROGRAM is aeolic_files (a target of the build). What fails stays in FOLDER/found: the file, and beside it a text with the
 command. The same seed gives the same files. --files is the number for every format, --seconds the time for all together.
-Ctrl-C ends it early, with the counts so far."""
+Ctrl-C ends it early, with the counts so far. It is fastest with FOLDER in memory (/dev/shm), and under `ulimit -v 2500000`:
+a file that lies about its size then fails sooner."""
 import argparse
 import gzip
 import os
