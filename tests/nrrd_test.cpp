@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "aeolic/error.h"
 #include "data/load/file_info.h"
 #include "data/vtk/sample_files.h"
 
@@ -59,6 +60,19 @@ TEST_F(NrrdHeader, MaySayItsSpaceBeforeItsSizes)
 {
     expectVectors(summaryOf("a.nhdr", ofSlicer + "data file: a.raw\n"), 2);
     expectVectors(summaryOf("a.nrrd", ofSlicer + "\n" + values_), 2);
+}
+
+TEST_F(NrrdHeader, WithBinaryNumbersIsRefusedAtOnce)
+{
+    const std::string numbers(8, '\0');
+    for (const char* name : {"a.nhdr", "a.nrrd"}) {
+        try {
+            summaryOf(name, plain + "space origin: (0,0,0)" + numbers + "\ndata file: a.raw\n");
+            FAIL() << name;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("its header is not all text"), std::string::npos) << error.what();
+        }
+    }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vtkNrrdReader.h>
 
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <sstream>
 #include <string>
@@ -31,7 +32,12 @@ protected:
             vtkErrorMacro(<< "its data files are named by a pattern");
             return 0;
         }
-        header->SetValue(header->GetNumberOfTuples() - 1, '\n');
+        const vtkIdType end = header->GetNumberOfTuples() - 1;
+        if (std::memchr(header->GetPointer(0), 0, std::size_t(end))) {  // VTK would look for the next line for ever.
+            vtkErrorMacro(<< "its header is not all text");
+            return 0;
+        }
+        header->SetValue(end, '\n');
         header->InsertNextValue('\n');
         header->InsertNextValue('\0');
         DataScalarType = VTK_VOID;
