@@ -227,7 +227,9 @@ bool longerThanCell(const VolumeSampler& sampler, const glm::dvec3& a, const glm
     CellPlace place;
     if (sampler.find(middle, glm::dvec3(0), place)) {
         const double width = sampler.widthOf(place, (b - a) / length);
-        return length > kLongestOfCellWidth * width && width > kThinnest * length;
+        const double finest =
+            std::max(width, std::sqrt(place.distanceSquared));  // Far from a cell its details are lost.
+        return length > kLongestOfCellWidth * finest && width > kThinnest * length;
     }
     const double distance = std::sqrt(CellTree::distanceSquared(sampler.bounds(), middle));
     return distance < kReachOfLongestEdge * length && length > kLongestBesideVolume * sampler.bounds().diagonal();

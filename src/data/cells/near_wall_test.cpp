@@ -257,6 +257,21 @@ TEST(NearWallCases, AHugeSurfaceIsCutOnlyAroundTheVolume)
     EXPECT_GT(lookUpNearWall(huge, sampler, {}).inside, 80);
 }
 
+TEST(NearWallCases, CellsThatAreThinnerThanFarAwayCutNothing)
+{
+    // Long cells, which a plate at 30 is near enough to for their values, but too far away for their width.
+    const auto needle = [](double x, double y, double z) { return glm::dvec3(1000 * x, 1e-3 * y, 1e-3 * z); };
+    const CellSampler sampler(makeVolume({10, 4, 4}, needle, linearFlow));
+    const glm::dvec3 beside(450, 0, 30), along(20, 0, 0), across(0, 20, 0);
+    const auto isCut = [&](const glm::dvec3& middle, const glm::dvec3& half) {
+        return longerThanCell(sampler, middle - half, middle + half);
+    };
+    EXPECT_FALSE(isCut(beside, across));
+    EXPECT_FALSE(isCut(beside, along));
+    EXPECT_TRUE(isCut(beside, 2.0 * across));
+    EXPECT_TRUE(isCut({450, 0, 0}, 1e-3 * across));
+}
+
 TEST(NearWallLong, DirectionsInAMillionCells)
 {
     const CellSampler sampler(makeVolume({100, 100, 100}, stretched, boundaryLayer));

@@ -11,13 +11,14 @@
 namespace aeolic {
 
 /// The largest number of triangles that refinement makes of a surface of `triangles`, in a field of `cells`. One that
-/// has more keeps what it has. A cell in the surface's way needs a few. Damaged ones, of wild sizes or in each other,
-/// would need millions.
+/// has more keeps what it has. A cell in the surface's way needs a few, and makes few of a triangle that is smaller.
+/// Damaged ones, of wild sizes or in each other, would need millions.
 constexpr std::uint64_t mostRefinedTriangles(std::uint64_t cells, std::uint64_t triangles)
 {
-    constexpr std::uint64_t most = std::uint64_t{16} << 20, soon = std::uint64_t{1} << 16, perCell = 256;
-    const std::uint64_t all = cells + triangles;
-    return all > most / perCell ? most : std::max(soon, perCell * all);
+    constexpr std::uint64_t most = std::uint64_t{16} << 20, soon = std::uint64_t{1} << 16;
+    constexpr std::uint64_t perCell = 256, perTriangle = 8;
+    if (cells > most / perCell || triangles > most / perTriangle) return most;
+    return std::clamp(perCell * cells + perTriangle * triangles, soon, most);
 }
 
 /// Rounds of halving: an edge is cut into at most 2^12 parts.

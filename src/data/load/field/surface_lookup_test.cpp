@@ -269,7 +269,7 @@ TEST_F(CellsOnSurface, AFewCellsOfWildSizesDoNotMakeMillionsOfTriangles)
     }
 }
 
-TEST_F(CellsOnSurface, ACellFarBelowRoundingDoesNotMakeMillionsOfTriangles)
+TEST_F(CellsOnSurface, ACellFarBelowRoundingMakesFewTriangles)
 {
     // The far cell makes the whole wall as near to the small one as rounding is. At its size, the wall would have 2^24.
     const double small = 0x1p-35;
@@ -281,9 +281,7 @@ TEST_F(CellsOnSurface, ACellFarBelowRoundingDoesNotMakeMillionsOfTriangles)
     writeBytes(wall_, fmt::format("# vtk DataFile Version 3.0\na wall\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n"
                                   "0 0 0 {0} 0 0 0 {0} 0\nPOLYGONS 1 4\n3 0 1 2\n",
                                   4096 * small));
-    const std::uint64_t triangles = loadScene(describe()).surface.triangles.size();
-    EXPECT_LE(triangles, mostRefinedTriangles(2, 1));
-    EXPECT_GT(triangles, mostRefinedTriangles(2, 1) / 16);
+    EXPECT_LT(loadScene(describe()).surface.triangles.size(), 1000u);
 }
 
 TEST_F(CellsOnSurface, AFieldThatDoesNotTouchTheSurfaceIsRefused)
