@@ -209,7 +209,7 @@ def command(path, name, picture, rng):
     if not is_field(name):
         own = ending(name) in (".vtp", ".pvtp", ".vtm", ".vtmb", ".vtk", ".pvd") and rng.random() < .8
         return common + ["--surface", path] + (["--vectors", rng.choice(["tau", "cellTau"])] if own else ["--field", "abc:8,8,8"])
-    surface = rng.choice(["slice:0.2,0.2,0.2:0,0,1", "boundary", "sphere", "isosurface:p=90"])
+    surface = rng.choice(["slice:0.2,0.2,0.2:0,0,1", "boundary", "sphere:2000", "isosurface:p=90"])
     return common + ["--surface", surface, "--field", path] + (["--field-precision", "half"] if rng.random() < .2 else [])
 
 
