@@ -9,8 +9,8 @@
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
-#include "data/vtk/sample_writers.h"
+#include "data/vtk/testing/sample_files.h"
+#include "data/vtk/testing/sample_writers.h"
 
 /// Uniform grids in levels, of which finer ones lie over coarser ones.
 

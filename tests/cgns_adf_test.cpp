@@ -5,8 +5,8 @@
 #include "data/fingerprint.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
-#include "reader/cgns/sample_cgns.h"
+#include "data/vtk/testing/sample_files.h"
+#include "reader/cgns/testing/sample_cgns.h"
 
 /// CGNS files in ADF hold what those in HDF5 hold.
 

@@ -8,10 +8,10 @@
 #include "data/fingerprint.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "part_formats_testing.h"
-#include "reader/cgns/sample_cgns.h"
-#include "reader/hdf5/sample_hdf5.h"
+#include "reader/cgns/testing/sample_cgns.h"
+#include "reader/hdf5/testing/sample_hdf5.h"
 
 /// CGNS files that are sound. Damaged ones: cgns_damaged_test.cpp.
 namespace aeolic {

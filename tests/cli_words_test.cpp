@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli_testing.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 /// What the built program says leads on to what to type next.
 namespace aeolic {

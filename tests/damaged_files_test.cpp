@@ -4,7 +4,7 @@
 
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 /// Files that tests/fuzz/mutate_files.py found, or that would have been found: each crashed a reader, kept it busy for
 /// ever, made it take memory without bound, or was read as something else.

@@ -2,8 +2,8 @@
 
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
-#include "data/vtk/sample_files.h"
 #include "data/vtk/surface/surface_file.h"
+#include "data/vtk/testing/sample_files.h"
 
 /// Files of VTK's XML family that leave open what VTK's readers then make up.
 

@@ -8,9 +8,9 @@
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "part_formats_testing.h"
-#include "reader/ensight/sample_ensight.h"
+#include "reader/ensight/testing/sample_ensight.h"
 
 namespace aeolic {
 namespace {

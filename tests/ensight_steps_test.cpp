@@ -4,9 +4,9 @@
 #include "aeolic/renderer.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_writers.h"
+#include "data/vtk/testing/sample_writers.h"
 #include "part_formats_testing.h"
-#include "reader/ensight/sample_ensight.h"
+#include "reader/ensight/testing/sample_ensight.h"
 
 /// Cases with several steps in a file, and of EnSight 6, which VTK reads.
 namespace aeolic {

@@ -16,10 +16,10 @@
 #include "data/fingerprint.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_writers.h"
+#include "data/vtk/testing/sample_writers.h"
 #include "part_formats_testing.h"
-#include "reader/ensight/sample_ensight.h"
-#include "reader/openfoam/sample_case.h"
+#include "reader/ensight/testing/sample_ensight.h"
+#include "reader/openfoam/testing/sample_case.h"
 
 /// EnSight Gold cases that are sound. Damaged ones: ensight_damaged_test.cpp.
 namespace aeolic {

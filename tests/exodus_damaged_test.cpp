@@ -6,10 +6,10 @@
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "part_formats_testing.h"
-#include "reader/exodus/sample_exodus.h"
-#include "reader/hdf5/sample_hdf5.h"
+#include "reader/exodus/testing/sample_exodus.h"
+#include "reader/hdf5/testing/sample_hdf5.h"
 
 namespace aeolic {
 namespace {

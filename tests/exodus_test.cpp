@@ -13,10 +13,10 @@
 #include "data/fingerprint.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "part_formats_testing.h"
 #include "reader/exodus/exodus_blocks.h"
-#include "reader/exodus/sample_exodus.h"
+#include "reader/exodus/testing/sample_exodus.h"
 
 /// Exodus files that are sound. Damaged ones: exodus_damaged_test.cpp.
 namespace aeolic {

@@ -13,9 +13,9 @@
 #include "data/fingerprint.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "part_formats_testing.h"
-#include "reader/fluent/sample_fluent.h"
+#include "reader/fluent/testing/sample_fluent.h"
 
 namespace aeolic {
 namespace {

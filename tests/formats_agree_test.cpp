@@ -11,11 +11,11 @@
 #include "aeolic/renderer.h"
 #include "data/fingerprint.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_vtkhdf.h"
-#include "data/vtk/sample_writers.h"
-#include "reader/cgns/sample_cgns.h"
-#include "reader/exodus/sample_exodus.h"
-#include "reader/tecplot/sample_tecplot.h"
+#include "data/vtk/testing/sample_vtkhdf.h"
+#include "data/vtk/testing/sample_writers.h"
+#include "reader/cgns/testing/sample_cgns.h"
+#include "reader/exodus/testing/sample_exodus.h"
+#include "reader/tecplot/testing/sample_tecplot.h"
 #include "surface_formats_testing.h"
 
 /// The same surface in every format gives the same bytes of the picture, where the files hold the same numbers.

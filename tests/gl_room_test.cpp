@@ -10,7 +10,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "gl_calls_testing.h"
 #include "render_testing.h"
 #include "sparse_grid_testing.h"

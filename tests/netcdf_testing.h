@@ -11,8 +11,8 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/file_reader.h"
-#include "data/vtk/sample_files.h"
-#include "reader/netcdf/sample_netcdf.h"
+#include "data/vtk/testing/sample_files.h"
+#include "reader/netcdf/testing/sample_netcdf.h"
 
 namespace aeolic::testkit {
 

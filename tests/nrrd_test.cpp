@@ -2,7 +2,7 @@
 
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 /// Headers of NRRD files that VTK 9.1 alone would misread.
 namespace aeolic {

@@ -2,7 +2,7 @@
 #include <random>
 
 #include "openfoam_testing.h"
-#include "reader/openfoam/sample_case.h"
+#include "reader/openfoam/testing/sample_case.h"
 
 /// Cases of OpenFOAM that somebody or something has damaged.
 namespace aeolic {

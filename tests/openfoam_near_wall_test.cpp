@@ -6,9 +6,9 @@
 
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "load_testing.h"
-#include "reader/openfoam/sample_case.h"
+#include "reader/openfoam/testing/sample_case.h"
 #include "same_bytes_testing.h"
 
 /// The walls of an OpenFOAM case with the flow of its own cells.

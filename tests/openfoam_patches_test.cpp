@@ -3,7 +3,7 @@
 
 #include "data/vtk/surface/surface_file.h"
 #include "openfoam_testing.h"
-#include "reader/openfoam/sample_case.h"
+#include "reader/openfoam/testing/sample_case.h"
 
 /// Which of several entries of a boundaryField a patch takes.
 namespace aeolic {

@@ -10,7 +10,7 @@
 
 #include "data/load/file_info.h"
 #include "data/vtk/surface/surface_file.h"
-#include "reader/openfoam/sample_case.h"
+#include "reader/openfoam/testing/sample_case.h"
 #include "same_bytes_testing.h"
 
 namespace aeolic {

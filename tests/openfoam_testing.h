@@ -7,7 +7,7 @@
 
 #include "aeolic/error.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 /// Cases of OpenFOAM, and what is said about them.
 namespace aeolic::openfoam_testing {

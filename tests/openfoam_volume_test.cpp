@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "openfoam_testing.h"
-#include "reader/openfoam/sample_case.h"
+#include "reader/openfoam/testing/sample_case.h"
 
 /// The cells of OpenFOAM cases: polyhedra, regions, meshes that move.
 namespace aeolic {

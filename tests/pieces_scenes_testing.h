@@ -3,7 +3,7 @@
 /// Shared by the tests of surfaces in pieces: scenes, and a check that any number of ranks draws the same bytes as one.
 
 #include "aeolic/renderer.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "pieces_testing.h"
 #include "same_bytes_testing.h"
 

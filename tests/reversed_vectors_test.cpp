@@ -4,8 +4,8 @@
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
-#include "data/vtk/sample_files.h"
-#include "reader/openfoam/sample_case.h"
+#include "data/vtk/testing/sample_files.h"
+#include "reader/openfoam/testing/sample_case.h"
 
 /// Vectors of a surface's own that are turned round, and those that should be.
 namespace aeolic {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The contents of the sample files (data/vtk/sample_files.h) as arrays of this process.
+/// The contents of the sample files (data/vtk/testing/sample_files.h) as arrays of this process.
 
 #include <array>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "aeolic/data.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 namespace aeolic::testkit {
 

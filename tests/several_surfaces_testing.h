@@ -7,7 +7,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "description/choices.h"
 #include "description/colormap.h"
 #include "render_testing.h"

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "data/vtk/sample_files.h"
-#include "data/vtk/sample_writers.h"
+#include "data/vtk/testing/sample_files.h"
+#include "data/vtk/testing/sample_writers.h"
 
 /// A volume in pieces, and files of it.
 namespace aeolic::slab_pieces_testing {

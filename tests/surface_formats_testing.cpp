@@ -17,12 +17,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "data/vtk/sample_vtkhdf.h"
-#include "data/vtk/sample_writers.h"
-#include "reader/cgns/sample_cgns.h"
-#include "reader/ensight/sample_ensight.h"
-#include "reader/exodus/sample_exodus.h"
-#include "reader/tecplot/sample_tecplot.h"
+#include "data/vtk/testing/sample_vtkhdf.h"
+#include "data/vtk/testing/sample_writers.h"
+#include "reader/cgns/testing/sample_cgns.h"
+#include "reader/ensight/testing/sample_ensight.h"
+#include "reader/exodus/testing/sample_exodus.h"
+#include "reader/tecplot/testing/sample_tecplot.h"
 
 namespace aeolic::test {
 namespace {

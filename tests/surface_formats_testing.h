@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reader/parts/sample_surface.h"
+#include "reader/parts/testing/sample_surface.h"
 
 namespace aeolic::test {
 

@@ -9,9 +9,9 @@
 #include "data/fingerprint.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "part_formats_testing.h"
-#include "reader/tecplot/sample_tecplot.h"
+#include "reader/tecplot/testing/sample_tecplot.h"
 
 namespace aeolic {
 namespace {

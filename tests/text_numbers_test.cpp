@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "data/load/file_info.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 /// Numbers as solvers, converters and Fortran write them into files of VTK's formats.
 namespace aeolic {

@@ -23,9 +23,9 @@
 #include "data/fingerprint.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
-#include "data/vtk/sample_vtkhdf.h"
-#include "reader/hdf5/sample_hdf5.h"
+#include "data/vtk/testing/sample_files.h"
+#include "data/vtk/testing/sample_vtkhdf.h"
+#include "reader/hdf5/testing/sample_hdf5.h"
 
 /// VTKHDF files that are sound, beside VTK's XML files of the same data. Damaged ones: vtkhdf_damaged_test.cpp.
 namespace aeolic {

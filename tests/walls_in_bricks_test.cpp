@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "load_testing.h"
 #include "pieces_testing.h"
 #include "same_bytes_testing.h"

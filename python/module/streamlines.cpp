@@ -1,7 +1,7 @@
 #include "streamlines.h"
 
 #include "errors.h"
-#include "output/streamline_files.h"
+#include "output/flow_files.h"
 #include "place_arrays.h"
 
 namespace aeolic::python {

@@ -3,7 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "errors.h"
-#include "output/topology_files.h"
+#include "output/flow_files.h"
 #include "place_arrays.h"
 
 namespace aeolic::python {

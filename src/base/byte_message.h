@@ -99,6 +99,15 @@ private:
     Bytes bytes_;
 };
 
+/// A message of one value.
+template <class Value>
+Bytes byteMessage(const Value& value)
+{
+    ByteWriter writer;
+    writer.add(value);
+    return writer.take();
+}
+
 /// Reads what a ByteWriter wrote, in the same order. Throws std::runtime_error where less is there.
 class ByteReader {
 public:

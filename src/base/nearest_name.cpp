@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/text.h"
+
 namespace aeolic {
 namespace {
 
@@ -13,9 +15,8 @@ constexpr std::size_t kLongestName = 100;  // The comparison takes time in propo
 /// The name without what counts for nothing.
 std::string folded(std::string_view name)
 {
-    std::string letters;
-    for (const char c : name)
-        if (c != '-' && c != '_') letters += c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    std::string letters = lowerCase(std::string(name));
+    std::erase_if(letters, [](char c) { return c == '-' || c == '_'; });
     return letters;
 }
 

@@ -10,7 +10,9 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 
 #include "base/extent.h"
 
@@ -34,6 +36,30 @@ void parallelFor(std::size_t count, const Body& body)
 }
 
 #endif
+
+/// Whether holds(begin, end) is true for all of disjoint ranges that cover [0, count).
+template <class Holds>
+bool holdsForAll(std::size_t count, std::size_t grain, const Holds& holds)
+{
+    std::atomic<bool> all = true;
+    parallelRanges(count, grain, [&](std::size_t begin, std::size_t end) {
+        if (!holds(begin, end)) all = false;
+    });
+    return all;
+}
+
+/// The sum of valueOf(i) for every i in [0, count): whole numbers, whose order does not matter.
+template <class ValueOf>
+std::int64_t parallelSum(std::size_t count, std::size_t grain, const ValueOf& valueOf)
+{
+    std::atomic<std::int64_t> sum{0};
+    parallelRanges(count, grain, [&](std::size_t begin, std::size_t end) {
+        std::int64_t part = 0;
+        for (std::size_t i = begin; i < end; ++i) part += valueOf(i);
+        sum += part;
+    });
+    return sum;
+}
 
 /// Calls body(y) for the rows of `extent`, `grain` of them or more at a time.
 template <class Body>

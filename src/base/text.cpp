@@ -30,6 +30,24 @@ std::string withoutControls(std::string text, char instead)
     return text;
 }
 
+std::vector<std::string_view> splitText(std::string_view text, char separator)
+{
+    std::vector<std::string_view> parts;
+    for (std::size_t start = 0;;) {
+        const std::size_t end = text.find(separator, start);
+        parts.push_back(text.substr(start, end - start));
+        if (end == std::string_view::npos) return parts;
+        start = end + 1;
+    }
+}
+
+std::string_view trimmedText(std::string_view text)
+{
+    constexpr const char* whiteSpace = " \t\n\v\f\r";
+    const std::size_t begin = std::min(text.find_first_not_of(whiteSpace), text.size());
+    return text.substr(begin, text.find_last_not_of(whiteSpace) + 1 - begin);
+}
+
 std::optional<char32_t> nextCharacter(std::string_view text, std::size_t& at)
 {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
@@ -66,19 +84,8 @@ std::size_t characterStart(std::string_view text, std::size_t at)
 std::string xmlText(const std::string& text)
 {
     std::string out;
-    for (const char c : withoutControls(text)) switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
+    for (const char c : withoutControls(text))
+        out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
     return out;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace aeolic {
 
@@ -25,6 +27,22 @@ std::string withoutControls(std::string text, char instead = ' ');
 
 /// The text with spaces in place of tabs and ends of lines.
 std::string withSpaces(std::string text);
+
+/// The parts of a text between separators; at least one, and any may be empty.
+std::vector<std::string_view> splitText(std::string_view text, char separator);
+
+/// The text without white space at its ends.
+std::string_view trimmedText(std::string_view text);
+
+/// The number that the whole text is, as std::from_chars() reads it; nothing where it is anything else.
+template <class Number>
+std::optional<Number> wholeTextAs(std::string_view text)
+{
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool isWhole = error == std::errc() && end == text.data() + text.size();
+    return isWhole ? std::optional(number) : std::nullopt;
+}
 
 /// Text as it stands in XML and HTML, between tags or in double quotes, without control characters.
 std::string xmlText(const std::string& text);

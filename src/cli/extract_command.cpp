@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <map>
 #include <memory>
-#include <ranges>
 #include <string>
 #include <utility>
 
@@ -16,9 +15,8 @@
 #include "cluster/comm/together.h"
 #include "engine/picture_warnings.h"
 #include "engine/renderer_internals.h"
+#include "output/flow_files.h"
 #include "output/output_check.h"
-#include "output/streamline_files.h"
-#include "output/topology_files.h"
 
 namespace aeolic {
 namespace {
@@ -82,9 +80,12 @@ void ExtractCommand::run() const
     SceneDescription scene;
     const std::string ending = lowerExtension(outputPath);
     runTogether(*ranks, [&] {
-        if (!kinds.contains(*what))
+        if (!kinds.contains(*what)) {
+            std::vector<std::string> names;
+            for (const auto& [name, _] : kinds) names.push_back(name);
             throw InputError("WHAT", "found '" + *what + "'",
-                             "topology, separation or streamlines" + didYouMean(*what, std::views::keys(kinds)));
+                             "topology, separation or streamlines" + didYouMean(*what, names));
+        }
         scene = sceneOptions.scene();
         if (ending != ".vtp" && ending != ".csv")
             throw InputError("-o", "found '" + outputPath + "'", "a name ending in .vtp or .csv");

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -8,6 +7,7 @@
 #include <utility>
 
 #include "aeolic/aeolic.h"
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
@@ -23,24 +23,16 @@ struct Pixel {
 /// "400,300". Throws InputError.
 Pixel pixelOf(const std::string& text)
 {
-    Pixel pixel;
-    const char* const last = text.data() + text.size();
-    const auto [comma, first] = std::from_chars(text.data(), last, pixel.x);
-    if (first == std::errc() && comma != last && *comma == ',') {
-        const auto [end, second] = std::from_chars(comma + 1, last, pixel.y);
-        if (second == std::errc() && end == last) return pixel;
-    }
-    throw InputError("PIXEL", "found '" + text + "'", "X,Y, counted from the upper left: 400,300");
+    const auto parts = splitText(text, ',');
+    const auto x = wholeTextAs<int>(parts.front()), y = wholeTextAs<int>(parts.back());
+    if (parts.size() != 2 || !x || !y)
+        throw InputError("PIXEL", "found '" + text + "'", "X,Y, counted from the upper left: 400,300");
+    return {*x, *y};
 }
 
 std::string numbers(const Vec3& v)
 {
     return fmt::format("{:.9g} {:.9g} {:.9g}", v[0], v[1], v[2]);
-}
-
-double lengthOf(const Vec3& v)
-{
-    return std::hypot(v[0], v[1], v[2]);
 }
 
 struct ProbeCommand {
@@ -69,7 +61,8 @@ void tell(const PickedPlace& place, const SceneInfo& info)
     if (!info.times.empty()) line("time", fmt::format("{:.9g}", info.time));
     line("vector", place.vector ? numbers(*place.vector) : "none");
     if (place.vector) {
-        line("its length", fmt::format("{:.9g}", lengthOf(*place.vector)));
+        const auto& [x, y, z] = *place.vector;
+        line("its length", fmt::format("{:.9g}", std::hypot(x, y, z)));
         line("along the surface", numbers(*place.tangential));
     }
     if (!place.scalarName.empty()) line(place.scalarName, place.scalar ? fmt::format("{:.9g}", *place.scalar) : "none");

@@ -85,12 +85,6 @@ void printSummary(const RunStats& stats, const std::string& names)
                threadsText(info), info.backend == "gl" ? info.device : info.simd, info.loadMs);
 }
 
-/// Says why `auto` took the processor. That is told only to those who ask: most machines have no GPU.
-void printUnusedGpu(const RunStats& stats)
-{
-    if (!stats.info.unusedGpu.empty()) fmt::print(stderr, "no GPU is used: {}\n", stats.info.unusedGpu);
-}
-
 void warn(const std::string& warning)
 {
     fmt::print(stderr, "aeolic: warning: {}\n", warning);
@@ -160,7 +154,8 @@ void RenderCommand::run()
     if (!root) return;
     if (!statsPath.empty()) writeStats(stats, statsPath);
     if (verbose || isatty(STDERR_FILENO)) printSummary(stats, files->names());
-    if (verbose) printUnusedGpu(stats);
+    // Why `auto` took the processor is told only to those who ask: most machines have no GPU.
+    if (verbose && !stats.info.unusedGpu.empty()) fmt::print(stderr, "no GPU is used: {}\n", stats.info.unusedGpu);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -16,6 +15,7 @@
 #include "aeolic/error.h"
 #include "base/memory.h"
 #include "base/nearest_name.h"
+#include "base/text.h"
 #include "cli/address_file.h"
 #include "cli/commands.h"
 #include "cli/given_token.h"
@@ -46,17 +46,19 @@ struct ServeCommand {
             });
             numbers.push_back({name, rule, &value});
         };
-        number("--ranks", {1, 65536}, jobRanks, "processes that draw; several are started by --launcher", "N");
-        option("--launcher", launcher, "what starts them; given, they may run on other hosts [mpirun -n {ranks}]",
+        number("--ranks", {1, 65536}, serve.job.ranks, "processes that draw; several are started by --launcher", "N");
+        option("--launcher", serve.launcher, "what starts them; given, they may run on other hosts [mpirun -n {ranks}]",
                "COMMAND");
-        option("--job-host", jobHost,
+        option("--job-host", serve.jobHost,
                "the address of this host that ranks connect to [loopback; with --launcher all addresses]", "ADDRESS");
         number("--job-port", {0, 65535}, jobPort, "the port for that; 0: any that is free", "PORT");
-        command.add_flag("--direct", direct, "ranks send their rows to viewers themselves, past this process")
+        command
+            .add_flag("--direct", serve.job.told.direct,
+                      "ranks send their rows to viewers themselves, past this process")
             ->group("Server");
         option("--direct-ports", directPorts,
                "where ranks listen for viewers; as many as ranks on a host, or more [any]", "LO-HI");
-        option("--host", host, "address to listen on; others than this host's own need a token", "ADDRESS");
+        option("--host", serve.web.host, "address to listen on; others than this host's own need a token", "ADDRESS");
         number("--port", {0, 65535}, port, "0: any that is free", "PORT");
         option("--token", token,
                "the secret in the address, 16 characters or more, which process lists show; none: nobody is asked for "
@@ -68,18 +70,18 @@ struct ServeCommand {
                "output is a file, the token goes here alone [~/.aeolic/HOST-PORT]",
                "FILE");
         command.add_flag("--i-know", iKnow, "--token none even where other hosts can connect")->group("Server");
-        option("--tls-cert", certificate, "certificate chain (PEM): https", "FILE");
-        option("--tls-key", key, "its private key (PEM)", "FILE");
+        option("--tls-cert", serve.certificate, "certificate chain (PEM): https", "FILE");
+        option("--tls-key", serve.key, "its private key (PEM)", "FILE");
         number("--max-viewers", {1, 256}, maxViewers, "further ones are turned away",
                "N");  // Every State message names them all.
         number("--viewer-memory", {16, 1 << 24}, viewerMiB,
                "for pictures on their way to all viewers together; by default a quarter of the free memory", "MIB");
-        number("--max-size", {16, options::side.hi}, largestSide, "longest side of a picture that viewers may ask for",
-               "PIXELS");
+        number("--max-size", {16, options::side.hi}, serve.hub.largestSide,
+               "longest side of a picture that viewers may ask for", "PIXELS");
         number("--draw-limit", {1, 86400}, drawLimitS, "the renderer is started again if one picture takes longer",
                "SECONDS");
         number("--load-limit", {1, 86400}, loadLimitS, "the same if loading does not get on for longer", "SECONDS");
-        number("--silence-limit", {2, 3600}, silenceLimitS,
+        number("--silence-limit", {2, 3600}, serve.job.told.silenceLimitS,
                "the same if a rank, its host or the network between is silent for longer", "SECONDS");
         option("--codec", codec, "how pictures travel, where the viewer can: auto, lz4, lzo, png, or while moving jpeg",
                "CODEC");
@@ -98,12 +100,12 @@ struct ServeCommand {
     std::vector<Number> numbers;
     SceneOptions sceneOptions;
     std::shared_ptr<Communicator> ranks;
-    int jobRanks = 1, port = 8080, jobPort = 0, maxViewers = 64, largestSide = 4096;
+    stream::ServeOptions serve;  ///< What needs no conversion is read into it; serveOptions() fills in the rest.
+    int port = 8080, jobPort = 0, maxViewers = 64;
     int viewerMiB = int(std::clamp<std::uint64_t>(availableMemoryBytes() / 4 >> 20, 256, 1 << 24));
-    int drawLimitS = 60, loadLimitS = 600, silenceLimitS = int(stream::kSilenceLimit.count());
-    std::string launcher, jobHost, directPorts, host = "127.0.0.1", token, tokenFile, addressFile, certificate, key,
-                                                codec = "auto";
-    bool iKnow = false, direct = false;
+    int drawLimitS = 60, loadLimitS = 600;
+    std::string directPorts, token, tokenFile, addressFile, codec = "auto";
+    bool iKnow = false;
 };
 
 bool isLoopback(const std::string& host)
@@ -138,56 +140,48 @@ std::string ServeCommand::givenToken() const
 stream::PortRange portRange(const std::string& text)
 {
     if (text.empty()) return {};
-    unsigned first = 0, last = 0;
-    char rest = 0;
-    if (text.find_first_not_of("0123456789-") != text.npos ||
-        std::sscanf(text.c_str(), "%5u-%5u%c", &first, &last, &rest) != 2 || first < 1 || first > last || last > 65535)
+    const auto ports = splitText(text, '-');
+    const bool areShort = std::ranges::all_of(ports, [](const auto& port) { return port.size() <= 5; });
+    const auto first = wholeTextAs<std::uint16_t>(ports.front()), last = wholeTextAs<std::uint16_t>(ports.back());
+    if (ports.size() != 2 || !areShort || !first || !last || *first < 1 || *first > *last)
         throw InputError("--direct-ports", "found '" + text + "'", "two ports such as 41000-41015");
-    return {std::uint16_t(first), std::uint16_t(last)};
+    return {*first, *last};
 }
 
 stream::ServeOptions ServeCommand::serveOptions() const
 {
     for (const Number& number : numbers) checkWhole(number.name, *number.value, number.rule);
+    const std::string& host = serve.web.host;
     if (host.empty()) throw InputError("--host", "found ''", "an address of this host");
-    if (certificate.empty() != key.empty())
-        throw InputError(certificate.empty() ? "--tls-key" : "--tls-cert", "found without the other",
+    if (serve.certificate.empty() != serve.key.empty())
+        throw InputError(serve.certificate.empty() ? "--tls-key" : "--tls-cert", "found without the other",
                          "--tls-cert and --tls-key together");
-    for (const auto& [name, path] : {std::pair{"--tls-cert", &certificate}, {"--tls-key", &key}})
+    for (const auto& [name, path] : {std::pair{"--tls-cert", &serve.certificate}, {"--tls-key", &serve.key}})
         if (!path->empty() && access(path->c_str(), R_OK) != 0)
             throw InputError(name, *path + ": " + std::strerror(errno), "a file that can be read");
-    if (direct && !certificate.empty())
+    if (serve.job.told.direct && !serve.certificate.empty())
         throw InputError("--direct", "found with --tls-cert", "one of them: ranks have no certificates of their own");
     if (token == "none" && !isLoopback(host) && !iKnow)
         throw InputError("--token", "none, and " + host + " can be reached by others",
                          "a token, or --i-know to let everyone in");
-    stream::ServeOptions serve;
-    serve.hub.scene = sceneOptions.scene();
-    serve.hub.largestSide = largestSide;
-    serve.hub.maxViewers = std::size_t(maxViewers);
-    serve.hub.drawLimit = std::chrono::seconds(drawLimitS);
-    serve.hub.loadLimit = std::chrono::seconds(loadLimitS);
-    serve.job.told.silenceLimitS = silenceLimitS;
-    serve.hub.frameBytes = std::uint64_t(viewerMiB) << 20;
-    serve.hub.codec = askedCodec(codec);
-    serve.web.host = host;
-    serve.web.port = std::uint16_t(port);
+    stream::ServeOptions asked = serve;
+    asked.hub.scene = sceneOptions.scene();
+    asked.hub.maxViewers = std::size_t(maxViewers);
+    asked.hub.drawLimit = std::chrono::seconds(drawLimitS);
+    asked.hub.loadLimit = std::chrono::seconds(loadLimitS);
+    asked.hub.frameBytes = std::uint64_t(viewerMiB) << 20;
+    asked.hub.codec = askedCodec(codec);
+    asked.web.port = std::uint16_t(port);
     if (const std::string given = givenToken(); given != "none")
-        serve.web.rules.token = given.empty() ? stream::makeToken() : given;
-    serve.certificate = certificate;
-    serve.key = key;
-    serve.job.ranks = jobRanks;
-    serve.launcher = launcher;
-    serve.jobHost = jobHost;
-    serve.job.linkPort = std::uint16_t(jobPort);
-    serve.job.told.direct = direct;
-    const stream::PortRange ports = serve.job.told.directPorts = portRange(directPorts);
-    const int places = ports.last - ports.first + 1;
-    if (!directPorts.empty() && launcher.empty() && jobRanks > places)
-        throw InputError("--direct-ports", directPorts + " for " + std::to_string(jobRanks) + " ranks on this host",
+        asked.web.rules.token = given.empty() ? stream::makeToken() : given;
+    asked.job.linkPort = std::uint16_t(jobPort);
+    const stream::PortRange ports = asked.job.told.directPorts = portRange(directPorts);
+    const int places = ports.last - ports.first + 1, ranksHere = serve.launcher.empty() ? serve.job.ranks : 0;
+    if (!directPorts.empty() && ranksHere > places)
+        throw InputError("--direct-ports", directPorts + " for " + std::to_string(ranksHere) + " ranks on this host",
                          "a port for each");
-    serve.program = std::filesystem::read_symlink("/proc/self/exe").string();
-    return serve;
+    asked.program = std::filesystem::read_symlink("/proc/self/exe").string();
+    return asked;
 }
 
 bool isFile(int number)

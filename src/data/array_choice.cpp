@@ -1,7 +1,6 @@
 #include "data/array_choice.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <string_view>
 

@@ -21,23 +21,6 @@ bool isMasked(const glm::vec3& value)
     return std::isnan(value.x + value.y + value.z);
 }
 
-/// [3 triangles] Radians. Those of a polygon's triangles add up to its own.
-std::vector<double> cornerAngles(const SurfaceMesh& mesh)
-{
-    std::vector<double> angles(3 * mesh.triangles.size());
-    parallelRanges(mesh.triangles.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t)
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Triangle& triangle = mesh.triangles[t];
-                const glm::dvec3 corner(mesh.positions[triangle[k]]);
-                const glm::dvec3 a = glm::dvec3(mesh.positions[triangle[(k + 1) % 3]]) - corner,
-                                 b = glm::dvec3(mesh.positions[triangle[(k + 2) % 3]]) - corner;
-                angles[3 * t + k] = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-            }
-    });
-    return angles;
-}
-
 /// The means of the triangles' values at the points; NaN where all of them are masked. `Sum`: the type of the sums.
 template <class Sum, class Value>
 std::vector<Value> meansAtPoints(const SurfaceMesh& mesh, const std::vector<Value>& values,
@@ -96,7 +79,7 @@ void bringCellsToPoints(SurfaceMesh& mesh)
 {
     const bool vectors = !mesh.cellVectors.empty(), scalars = !mesh.cellScalars.empty();
     if (!vectors && !scalars) return;
-    const std::vector<double> angles = cornerAngles(mesh);
+    const std::vector<double> angles = cornerAngles(mesh.triangles, mesh.positions);
     if (vectors) mesh.pointVectors = meansAtPoints<glm::dvec3>(mesh, mesh.cellVectors, angles);
     if (scalars) mesh.pointScalars = meansAtPoints<double>(mesh, mesh.cellScalars, angles);
     MaskedCorners masked(mesh, vectors, scalars);

@@ -1,6 +1,5 @@
 #include "data/field_copies.h"
 
-#include <cmath>
 #include <cstdint>
 #include <utility>
 

@@ -36,7 +36,7 @@ bool matches(std::string_view pattern, std::string_view name)
     return p == pattern.size();
 }
 
-bool matches(const std::string& pattern, const PartName& part)
+bool matches(const std::string& pattern, const PartInfo& part)
 {
     const auto fits = [&](const std::string& name) { return matches(pattern, name); };
     if (fits(part.name) || std::any_of(part.groups.begin(), part.groups.end(), fits)) return true;
@@ -45,13 +45,13 @@ bool matches(const std::string& pattern, const PartName& part)
 }
 
 /// The most commas that one of the names has.
-std::size_t commasIn(const std::vector<PartName>& parts)
+std::size_t commasIn(const std::vector<PartInfo>& parts)
 {
     std::size_t most = 0;
     const auto look = [&](const std::string& name) {
         most = std::max(most, std::size_t(std::count(name.begin(), name.end(), ',')));
     };
-    for (const PartName& part : parts) {
+    for (const PartInfo& part : parts) {
         look(part.name);
         std::for_each(part.groups.begin(), part.groups.end(), look);
     }
@@ -60,7 +60,7 @@ std::size_t commasIn(const std::vector<PartName>& parts)
 
 }  // namespace
 
-std::vector<std::size_t> chooseParts(const std::vector<PartName>& parts, const std::vector<std::string>& wanted,
+std::vector<std::size_t> chooseParts(const std::vector<PartInfo>& parts, const std::vector<std::string>& wanted,
                                      const std::string& where)
 {
     std::vector<bool> chosen(parts.size(), false);
@@ -83,7 +83,7 @@ std::vector<std::size_t> chooseParts(const std::vector<PartName>& parts, const s
         if (any) continue;
         std::vector<std::string_view> names;
         names.reserve(parts.size());
-        for (const PartName& part : parts) names.push_back(part.name);
+        for (const PartInfo& part : parts) names.push_back(part.name);
         std::vector<std::string_view> shown(names.begin(),
                                             names.begin() + std::ptrdiff_t(std::min(names.size(), kMostListed)));
         std::vector<std::string_view> ends = names;  // What may be named alone.

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "aeolic/error.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 namespace aeolic {
 namespace {
@@ -38,7 +38,8 @@ TEST(PartChoice, NamesMayHaveColonsAndCommas)
         EXPECT_EQ(split.file, file);
         EXPECT_EQ(split.parts, (std::vector<std::string>{"wing:left", "tail"}));
     }
-    const std::vector<PartName> parts{{"body", {}}, {"body, upper", {}}, {"a,b,c", {"x,y"}}, {"tail", {}}};
+    const std::vector<PartInfo> parts{
+        {"body", "", {}}, {"body, upper", "", {}}, {"a,b,c", "", {"x,y"}}, {"tail", "", {}}};
     const auto chosen = [&](const std::string& wanted) {
         return chooseParts(parts, splitParts(folder.file("a.e") + ":" + wanted).parts, "a");
     };
@@ -53,7 +54,7 @@ TEST(PartChoice, NamesMayHaveColonsAndCommas)
 
 TEST(PartChoice, NamesGroupsAndPatterns)
 {
-    const std::vector<PartName> parts{{"air/wing", {"wall"}}, {"air/tail", {"wall"}}, {"water/wing", {}}};
+    const std::vector<PartInfo> parts{{"air/wing", "", {"wall"}}, {"air/tail", "", {"wall"}}, {"water/wing", "", {}}};
     const auto chosen = [&](std::vector<std::string> wanted) { return chooseParts(parts, wanted, "a"); };
     using Numbers = std::vector<std::size_t>;
     EXPECT_EQ(chosen({"wing"}), (Numbers{0, 2}));
@@ -67,7 +68,7 @@ TEST(PartChoice, NamesGroupsAndPatterns)
 
 TEST(PartChoice, APatternOfManyStarsIsSoonDone)
 {
-    const std::vector<PartName> parts{{std::string(4000, 'a'), {}}};
+    const std::vector<PartInfo> parts{{std::string(4000, 'a'), "", {}}};
     std::string pattern;
     for (int i = 0; i < 200; ++i) pattern += "*a";
     EXPECT_THROW(chooseParts(parts, {pattern + "*b"}, "a"), InputError);

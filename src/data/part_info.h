@@ -9,7 +9,7 @@ namespace aeolic {
 
 /// A part of a file, before it is read.
 struct PartInfo {
-    std::string name;
+    std::string name;                 ///< "terrain", or "air/walls/left" where parts stand in others.
     std::string type;                 ///< What it is, as `aeolic info` says it: "zone", "side set", "BCWall".
     std::vector<std::string> groups;  ///< Other names that it goes by together with others.
     int dimension = 3;                ///< 3: it fills space; 2: it is faces.

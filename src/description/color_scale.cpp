@@ -1,6 +1,6 @@
 #include "description/color_scale.h"
 
-#include <charconv>
+#include "base/text.h"
 
 namespace aeolic {
 namespace {
@@ -13,10 +13,8 @@ int bandsIn(std::string_view text)
 {
     if (!text.starts_with(bandsPrefix)) return 0;
     text.remove_prefix(bandsPrefix.size());
-    int bands = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bands);
-    const bool isWhole = error == std::errc{} && end == text.data() + text.size() && text[0] != '0';
-    return isWhole && bands >= 2 && bands <= mostBands ? bands : 0;
+    const int bands = text.starts_with('0') ? 0 : wholeTextAs<int>(text).value_or(0);
+    return bands >= 2 && bands <= mostBands ? bands : 0;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <utility>
 
 #include "base/text.h"
 
@@ -20,11 +19,8 @@ bool fits(const FileKind& row, FileUse use)
 template <class Kind, std::size_t N, class Fits>
 const Kind* kindWith(const Kind (&kinds)[N], const Fits& fits)
 {
-    const auto* const found = std::ranges::find_if(kinds, [&](const Kind& kind) {
-        bool has = false;
-        forEachEnding(kind, [&](std::string_view ending) { has = has || fits(ending); });
-        return has;
-    });
+    const auto* const found = std::ranges::find_if(
+        kinds, [&](const Kind& kind) { return std::ranges::any_of(splitText(kind.endings, ' '), fits); });
     return found == std::end(kinds) ? nullptr : found;
 }
 
@@ -63,29 +59,6 @@ std::string withFileKinds(std::string_view text)
 {
     return fmt::format(fmt::runtime(text), fmt::arg("surfaces", fileKindsText(FileUse::surface)),
                        fmt::arg("fields", fileKindsText(FileUse::field)));
-}
-
-std::string fileKindsTable()
-{
-    std::string text =
-        "| ending | format | for | values on | parts | times in one | read by |\n|---|---|---|---|---|---|---|\n";
-    for (const FileKind& row : fileKinds) {
-        if (!row.holdsData()) continue;
-        const char* use = row.use == FileUse::surface ? "`--surface`"
-                          : row.use == FileUse::field ? "`--field`"
-                                                      : "`--surface`, `--field`";
-        const auto add = [&](const std::string& ending, const char* format) {
-            text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", ending, format, use, row.holds,
-                                row.has(kHasParts) ? "yes" : "", row.has(kHasTimes) ? "yes" : "", row.reader);
-        };
-        const char* format = row.format;
-        if (row.has(kIsFolder)) add("its folder", std::exchange(format, "the same, by a file in the folder"));
-        forEachEnding(row, [&](std::string_view ending) {
-            add(fmt::format("`{}`", ending), format);
-            format = "the same";
-        });
-    }
-    return text;
 }
 
 }  // namespace aeolic

@@ -33,7 +33,7 @@ enum class FilePieces : std::uint8_t {
 /// One kind of file that can be read, known by its endings. The help, the messages and the table in
 /// docs/file-formats.md are made of these rows, and `src/reader/vtk/format_registry.cpp` says what reads them.
 struct FileKind {
-    const char* endings;  ///< ".e .exo", in lower case.
+    const char* endings;  ///< ".e .exo", in lower case, with a space between two.
     FileUse use;          ///< `any`: a surface or a field, by what is in it.
     const char* kind;     ///< What is in it, as messages say it: "polygons".
     const char* format;   ///< "VTK XML polydata"
@@ -130,24 +130,10 @@ inline constexpr UnreadKind unreadKinds[] = {
 /// Null where the kind is read, or not known.
 const UnreadKind* unreadKindOf(std::string_view path);
 
-/// Each ending of a kind by itself.
-template <class Kind, class Use>
-void forEachEnding(const Kind& kind, const Use& use)
-{
-    for (std::string_view left = kind.endings; !left.empty();) {
-        const std::size_t end = left.find(' ');
-        use(left.substr(0, end));
-        left.remove_prefix(end == std::string_view::npos ? left.size() : end + 1);
-    }
-}
-
 /// ".vtp .pvtp …, or an OpenFOAM case's folder": the endings of data for the use.
 std::string fileKindsText(FileUse use);
 
 /// The text with those lists in the place of "{surfaces}" and "{fields}". It has no other braces.
 std::string withFileKinds(std::string_view text);
-
-/// The table of docs/file-formats.md, in Markdown.
-std::string fileKindsTable();
 
 }  // namespace aeolic

@@ -5,23 +5,13 @@
 #include <iterator>
 #include <optional>
 
+#include "description/option_table.h"
 #include "description/scene_text.h"
 
 namespace aeolic {
 namespace {
 
 constexpr std::string_view kDashes = "--", kListedSurface = "surfaces[";
-
-std::string camelCase(std::string_view words)
-{
-    std::string key;
-    bool begins = false;
-    for (const char c : words) {
-        if (c != '-') key += begins ? char(std::toupper(static_cast<unsigned char>(c))) : c;
-        begins = c == '-';
-    }
-    return key;
-}
 
 std::string snakeCase(std::string_view key)
 {
@@ -80,22 +70,6 @@ std::optional<Found> itemAt(std::string_view text)
 }
 
 }  // namespace
-
-std::string keyOfName(const Option& option)
-{
-    std::string_view name = std::string_view(option.name).substr(kDashes.size());
-    if (name.ends_with(wordSuffix)) {
-        Option row = option;
-        const std::string ofNumbers(option.name, kDashes.size() + name.size() - wordSuffix.size());
-        row.name = ofNumbers.c_str();
-        return keyOfName(row) + "Of";
-    }
-    if (const std::size_t space = name.find(' '); space != std::string_view::npos) name.remove_prefix(space + 1);
-    const std::string_view group = option.group.key;
-    if (name == group) return option.group.own;
-    if (name.starts_with(group) && name[group.size()] == '-') name.remove_prefix(group.size() + 1);
-    return camelCase(name);
-}
 
 std::string pythonName(std::string_view name)
 {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -9,6 +10,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "description/option_help.h"
 #include "description/validate.h"
@@ -17,11 +19,45 @@
 namespace aeolic {
 namespace {
 
+constexpr std::string_view kDashes = "--";
+
 std::string textOf(const std::string& path)
 {
     std::ostringstream text;
     text << std::ifstream(std::filesystem::path(AEOLIC_SOURCE_DIR) / path, std::ios::binary).rdbuf();
     return text.str();
+}
+
+std::string camelCase(std::string_view words)
+{
+    std::string key;
+    bool begins = false;
+    for (const char c : words) {
+        if (c != '-') key += begins ? char(std::toupper(static_cast<unsigned char>(c))) : c;
+        begins = c == '-';
+    }
+    return key;
+}
+
+/// The one rule by which an option's name on the command line gives its key in the JSON, which is the name of the
+/// struct's member, too: "noiseScale" of "--noise-scale". An option that is called like its group has the group's own
+/// key: "method" of "--lic". The group's name is not repeated: "precision" of "--field-precision". An item of a
+/// compound option is called like the item: "zoom" of "--camera zoom". Words in the place of an option's numbers have a
+/// key of their own: "colorRangeOf" beside "colorRange".
+std::string keyOfName(const Option& option)
+{
+    std::string_view name = std::string_view(option.name).substr(kDashes.size());
+    if (name.ends_with(wordSuffix)) {
+        Option row = option;
+        const std::string ofNumbers(option.name, kDashes.size() + name.size() - wordSuffix.size());
+        row.name = ofNumbers.c_str();
+        return keyOfName(row) + "Of";
+    }
+    if (const std::size_t space = name.find(' '); space != std::string_view::npos) name.remove_prefix(space + 1);
+    const std::string_view group = option.group.key;
+    if (name == group) return option.group.own;
+    if (name.starts_with(group) && name[group.size()] == '-') name.remove_prefix(group.size() + 1);
+    return camelCase(name);
 }
 
 /// "shading.colorBy" of "--color-by", for every option.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +54,13 @@ std::string numberText(double value)
                                                                                         : fmt::format("{}", value);
 }
 
+std::string numbersText(std::span<const double> values)
+{
+    std::string text;
+    for (const double value : values) text += (text.empty() ? "" : ",") + numberText(value);
+    return text;
+}
+
 std::string inQuotes(std::string_view text)
 {
     constexpr std::size_t longest = 80, kept = 36;
@@ -72,10 +78,8 @@ std::string inQuotes(std::string_view text)
 std::optional<double> parseNumber(std::string_view text)
 {
     if (text.starts_with('+') && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-    return value;
+    const auto value = wholeTextAs<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 int indexOfName(const std::string& where, const std::string& found, std::string_view name, const NameRule& rule)

@@ -57,6 +57,9 @@ std::string rangeText(const NumberRule& rule);
 /// The shortest decimal text that reads back as the same number.
 std::string numberText(double value);
 
+/// Such numbers with commas between them.
+std::string numbersText(std::span<const double> values);
+
 /// A text of the user's for a one-line message: in quotes, control characters escaped, the middle of a long one left
 /// out.
 std::string inQuotes(std::string_view text);

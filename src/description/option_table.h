@@ -30,10 +30,10 @@ struct OptionGroup {
 /// in the place of numbers.
 ///
 /// An option has one name in all languages. What the command line calls "--noise-scale" is noise_scale in Python
-/// (pythonName()), and noiseScale among its group in the JSON and in C++ (keyOfName()).
+/// (pythonName()), and noiseScale among its group in the JSON and in C++.
 struct Option {
     OptionGroup group;
-    const char* key;  ///< In the JSON, and of the struct's member: what keyOfName() makes of `name`.
+    const char* key;  ///< In the JSON, and of the struct's member: it follows from `name`.
     const char* name;
     const char* value;       ///< What stands for the value in `--help`; empty: the names it can have.
     const char* help;        ///< Without the range and the default, which the rule and the field tell.

@@ -1,8 +1,8 @@
 #include "description/overlays.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "description/option_rules.h"
 
 namespace aeolic {
@@ -11,17 +11,15 @@ namespace {
 /// ":1:0.5:-2"
 std::optional<std::array<double, 3>> positionFrom(std::string_view text)
 {
+    const auto parts = splitText(text, ':');
+    if (parts.size() != 4 || !parts.front().empty()) return std::nullopt;
     std::array<double, 3> position{};
-    for (double& number : position) {
-        if (!text.starts_with(':')) return std::nullopt;
-        text.remove_prefix(1);
-        const std::size_t end = std::min(text.find(':'), text.size());
-        const std::optional<double> read = parseNumber(text.substr(0, end));
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::optional<double> read = parseNumber(parts[c + 1]);
         if (!read) return std::nullopt;
-        number = *read;
-        text.remove_prefix(end);
+        position[c] = *read;
     }
-    return text.empty() ? std::optional(position) : std::nullopt;
+    return position;
 }
 
 bool takeOne(std::string_view word, Overlays& overlays)
@@ -53,12 +51,9 @@ std::optional<Overlays> parseOverlays(std::string_view text)
 {
     Overlays overlays;
     if (text == "none") return overlays;
-    while (true) {
-        const std::size_t comma = text.find(',');
-        if (!takeOne(text.substr(0, comma), overlays)) return std::nullopt;
-        if (comma == std::string_view::npos) return overlays;
-        text.remove_prefix(comma + 1);
-    }
+    for (const std::string_view word : splitText(text, ','))
+        if (!takeOne(word, overlays)) return std::nullopt;
+    return overlays;
 }
 
 Overlays overlaysOf(std::string_view text)

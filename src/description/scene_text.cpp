@@ -12,23 +12,13 @@
 
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
+#include "base/text.h"
 #include "description/surface_spec.h"
 #include "description/validate.h"
 
 namespace aeolic {
 
 namespace {
-
-std::vector<std::string_view> split(std::string_view text, char separator)
-{
-    std::vector<std::string_view> parts;
-    for (std::size_t start = 0;;) {
-        const std::size_t end = text.find(separator, start);
-        parts.push_back(text.substr(start, end - start));
-        if (end == std::string_view::npos) return parts;
-        start = end + 1;
-    }
-}
 
 template <class Rule>
 void parse(const std::string&, const std::string& text, std::string& value, const Rule&)
@@ -72,7 +62,7 @@ template <std::size_t N>
 void parse(const std::string& where, const std::string& text, std::optional<std::array<double, N>>& value,
            const NumberRule& rule)
 {
-    const auto parts = split(text, ',');
+    const auto parts = splitText(text, ',');
     if (parts.size() != N)
         throw InputError(where, "found " + inQuotes(text), fmt::format("{} numbers separated by commas", N));
     std::array<double, N> numbers{};
@@ -97,9 +87,7 @@ std::string typed(const Value& value, const Rule& rule)
 template <std::size_t N>
 std::string typed(const std::array<double, N>& values, const NumberRule&)
 {
-    std::string text;
-    for (double value : values) text += (text.empty() ? "" : ",") + numberText(value);
-    return text;
+    return numbersText(values);
 }
 
 template <class Value>
@@ -118,19 +106,10 @@ const NamedView* namedView(std::string_view name)
 /// True if "name=" or a view's name starts here: a comma before it ends the value so far.
 bool nameFollows(std::string_view text)
 {
-    std::size_t i = 0;
-    while (i < text.size() && std::isspace(static_cast<unsigned char>(text[i]))) ++i;
-    const std::size_t start = i;
-    while (i < text.size() && std::isalpha(static_cast<unsigned char>(text[i]))) ++i;
-    if (namedView(text.substr(start, i - start))) return true;
-    return i > start && i < text.size() && text[i] == '=';
-}
-
-std::string_view trimmed(std::string_view text)
-{
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
-    return text;
+    text = trimmedText(text);
+    const auto isLetter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    const std::string_view name(text.begin(), std::find_if_not(text.begin(), text.end(), isLetter));
+    return namedView(name) || (!name.empty() && text.substr(name.size()).starts_with('='));
 }
 
 std::vector<std::string_view> cameraItems(std::string_view text)
@@ -139,10 +118,10 @@ std::vector<std::string_view> cameraItems(std::string_view text)
     std::size_t start = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] != ';' && !(text[i] == ',' && nameFollows(text.substr(i + 1)))) continue;
-        items.push_back(trimmed(text.substr(start, i - start)));
+        items.push_back(trimmedText(text.substr(start, i - start)));
         start = i + 1;
     }
-    items.push_back(trimmed(text.substr(start)));
+    items.push_back(trimmedText(text.substr(start)));
     if (items.size() > 1 && items.back().empty()) items.pop_back();  // A separator at the end is harmless.
     return items;
 }
@@ -162,7 +141,7 @@ std::vector<std::string_view> cameraNames()
 
 void setSize(SceneDescription& scene, const std::string& text)
 {
-    const auto parts = split(text, 'x');
+    const auto parts = splitText(text, 'x');
     if (parts.size() != 2 || !parseNumber(parts[0]) || !parseNumber(parts[1]))
         throw InputError("--size", "found " + inQuotes(text),
                          "WIDTHxHEIGHT in pixels, each " + rangeText(options::side));
@@ -188,15 +167,15 @@ void setCamera(SceneDescription& scene, const std::string& text)
             continue;
         }
         const std::size_t equals = item.find('=');
-        const std::string name(trimmed(item.substr(0, equals)));
+        const std::string name(trimmedText(item.substr(0, equals)));
         if (equals == std::string_view::npos || std::find(names.begin(), names.end(), name) == names.end())
             throw InputError("--camera", "found " + inQuotes(item),
                              expected + didYouMean(name, equals == std::string_view::npos ? views : names));
         if (!given.insert(name).second) throw InputError("--camera " + name, "found twice", "it once");
         // Spaces after the commas of a list are how people write vectors.
         std::string value;
-        for (const std::string_view part : split(trimmed(item.substr(equals + 1)), ','))
-            value += (value.empty() ? "" : ",") + std::string(trimmed(part));
+        for (const std::string_view part : splitText(trimmedText(item.substr(equals + 1)), ','))
+            value += (value.empty() ? "" : ",") + std::string(trimmedText(part));
         setOption(scene, std::string(cameraPrefix) + name, value);
     }
     const bool angles = given.contains("azimuth") || given.contains("elevation") || given.contains("roll"),

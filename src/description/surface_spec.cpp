@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <string_view>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "description/builtin_names.h"
 #include "description/file_kinds.h"
 #include "description/option_rules.h"
@@ -33,11 +33,10 @@ bool isCutText(std::string_view text)
 
 double parseFinite(std::string_view text, const SurfaceSpec& spec, const char* expected)
 {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+    const auto value = wholeTextAs<double>(text);
+    if (!value || !std::isfinite(*value))
         fail(spec, text.empty() ? "a number is missing" : "found '" + std::string(text) + "'", expected);
-    return value;
+    return *value;
 }
 
 Vec3 parsePoint(std::string_view text, const SurfaceSpec& spec, const char* expected)
@@ -98,16 +97,7 @@ std::size_t colonBehindFile(const std::string& spec)
 void parseBuiltin(std::string_view text, SurfaceSpec& spec)
 {
     spec.name = nameInSpec(text);
-    if (spec.name.size() == text.size()) return;
-    std::int64_t triangles = 0;
-    const char *const begin = text.data() + spec.name.size() + 1, *const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(begin, end, triangles);
-    if (error == std::errc{} && stop == end) spec.triangles = triangles;
-}
-
-std::string pointText(const Vec3& v)
-{
-    return numberText(v[0]) + "," + numberText(v[1]) + "," + numberText(v[2]);
+    if (spec.name.size() < text.size()) spec.triangles = wholeTextAs<std::int64_t>(text.substr(spec.name.size() + 1));
 }
 
 /// The spec of a text that was made of what a program said. It has to say the same.
@@ -140,7 +130,7 @@ SurfaceSpec SurfaceSpec::file(const std::string& path, const std::vector<std::st
 
 SurfaceSpec SurfaceSpec::slice(const Vec3& origin, const Vec3& normal)
 {
-    return made(std::string(kSlice) + pointText(origin) + ":" + pointText(normal), Kind::slice);
+    return made(std::string(kSlice) + numbersText(origin) + ":" + numbersText(normal), Kind::slice);
 }
 
 SurfaceSpec SurfaceSpec::isosurface(const std::string& array, double value)
@@ -165,13 +155,8 @@ FileAndParts splitParts(const std::string& spec)
     const std::size_t colon = colonBehindFile(spec);
     if (colon == std::string::npos || colon == 0) return {spec, {}};
     FileAndParts split{spec.substr(0, colon), {}};
-    std::string_view rest = std::string_view(spec).substr(colon + 1);
-    for (;;) {
-        const std::size_t comma = rest.find(',');
-        if (comma != 0 && !rest.empty()) split.parts.emplace_back(rest.substr(0, comma));
-        if (comma == std::string_view::npos) break;
-        rest.remove_prefix(comma + 1);
-    }
+    for (const std::string_view part : splitText(std::string_view(spec).substr(colon + 1), ','))
+        if (!part.empty()) split.parts.emplace_back(part);
     if (split.parts.empty())
         throw InputError("surface '" + spec + "'", "no part is named behind ':'", "names, groups or patterns with *");
     return split;

@@ -36,18 +36,12 @@ struct OptionChecker {
     }
 };
 
-std::string text(const Vec3& v)
-{
-    return fmt::format("{},{},{}", numberText(v[0]), numberText(v[1]), numberText(v[2]));
-}
-
 /// `where`: gives what messages call the range.
 template <class Where>
 void checkColorRange(const std::optional<std::array<double, 2>>& range, const Where& where)
 {
     if (range && !((*range)[0] < (*range)[1]))
-        throw InputError(where(), fmt::format("found {},{}", numberText((*range)[0]), numberText((*range)[1])),
-                         "the low end first, and below the high end");
+        throw InputError(where(), "found " + numbersText(*range), "the low end first, and below the high end");
 }
 
 /// Several surfaces in one picture.
@@ -95,7 +89,7 @@ void checkRelations(const SceneDescription& scene, const OptionNaming& naming)
 
     const CameraOptions& camera = scene.camera;
     if (camera.position && camera.focal && *camera.position == *camera.focal)
-        throw InputError(named("--camera focal"), "found the camera's position " + text(*camera.focal),
+        throw InputError(named("--camera focal"), "found the camera's position " + numbersText(*camera.focal),
                          "another point, to look at");
     // A whole surface fits so narrow a view only from so far away that its depths are all the same to a float.
     if (!camera.position && camera.fov < 1)

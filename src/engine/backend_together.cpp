@@ -1,8 +1,6 @@
 #include "engine/backend_together.h"
 
-#include <algorithm>
 #include <functional>
-#include <optional>
 #include <span>
 
 #include "aeolic/error.h"

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/append.h"
 #include "data/streamlines/even_streamlines.h"
 #include "data/streamlines/separation_lines.h"
 #include "data/topology/point_flow.h"
@@ -40,11 +41,6 @@ FlowTopology emptyTopology(const Scene& scene)
     FlowTopology topology;
     topology.scalar = scene.hasScalar ? scene.scalarName : "";
     return topology;
-}
-
-void append(std::vector<SurfacePlace>& all, const std::vector<SurfacePlace>& more)
-{
-    all.insert(all.end(), more.begin(), more.end());
 }
 
 /// Parts of one streamline, from the most upstream on.
@@ -93,7 +89,7 @@ FlowTopology openLines(const Scene& scene, double persistence, const FieldLookup
     const StreamlineSurface surface(flow.mesh, flow.vectors);
     const std::vector<SeparationLine> found = separationLines(surface, persistence);
     std::vector<SurfacePlace> places;
-    for (const SeparationLine& line : found) append(places, line.places);
+    for (const SeparationLine& line : found) appendAll(places, line.places);
     ValuesInTurn values(valuesAt(scene, flow, places, lookUp));
     FlowTopology topology = emptyTopology(scene);
     for (const SeparationLine& line : found) {
@@ -110,10 +106,10 @@ FlowTopology openLines(const Scene& scene, double persistence, const FieldLookup
 FlowTopology flowTopology(const Scene& scene, double persistence, const FieldLookup& lookUp)
 {
     const PointFlow flow = pointFlow(scene, lookUp);
-    const SurfaceTopology found = surfaceTopology(flow.mesh, flow.vectors, {.persistence = persistence});
+    const SurfaceTopology found = surfaceTopology(flow.mesh, flow.vectors, persistence);
     std::vector<SurfacePlace> places;
     for (const CriticalPoint& point : found.points) places.push_back(point.place);
-    for (const TopologyLine& line : found.lines) append(places, line.places);
+    for (const TopologyLine& line : found.lines) appendAll(places, line.places);
     ValuesInTurn values(valuesAt(scene, flow, places, lookUp));
     FlowTopology topology = emptyTopology(scene);
     for (const CriticalPoint& point : found.points)
@@ -151,7 +147,7 @@ EvenSurfaceLines surfaceStreamlines(const Scene& scene, const View& view, double
     for (const Parts& parts : chains) {
         const std::vector<SurfacePlace> own = placesOf(parts);
         counts.push_back(own.size());
-        append(places, own);
+        appendAll(places, own);
     }
     ValuesInTurn values(valuesAt(scene, flow, places, lookUp));
     for (std::size_t i = 0; i < chains.size(); ++i)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <span>
 
-#include "aeolic/error.h"
 #include "cluster/composite/composite.h"
 #include "cluster/composite/edge_composite.h"
 #include "cluster/composite/picture_gather.h"

@@ -9,8 +9,8 @@
 #include "aeolic/renderer.h"
 #include "data/scene.h"
 #include "description/choices.h"
-#include "engine/moments_testing.h"
 #include "engine/renderer_internals.h"
+#include "engine/testing/moments_testing.h"
 #include "ranks/thread_communicator.h"
 
 /// A renderer whose scene changes in time: the picture of a moment has the same bytes however it was come by.

@@ -1,4 +1,4 @@
-#include "engine/moments_testing.h"
+#include "engine/testing/moments_testing.h"
 
 /// Which moment is shown is told truly: by the renderer, in the picture, and in warnings.
 namespace aeolic {

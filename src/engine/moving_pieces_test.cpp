@@ -6,7 +6,7 @@
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
 #include "data/scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "engine/renderer_internals.h"
 #include "pieces_testing.h"
 #include "ranks/thread_communicator.h"

@@ -12,7 +12,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/plane.h"
-#include "engine/plane_testing.h"
+#include "engine/testing/plane_testing.h"
 #include "reference/reference.h"
 
 namespace aeolic {

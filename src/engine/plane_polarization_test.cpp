@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
-#include "engine/plane_testing.h"
+#include "engine/testing/plane_testing.h"
 
 /// Directions without a sign: (u, v) and (-u, -v) are the same.
 namespace aeolic {

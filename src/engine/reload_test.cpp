@@ -7,7 +7,7 @@
 
 #include "aeolic/error.h"
 #include "aeolic/renderer.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 /// A renderer that takes another scene after the process has gone to another folder.
 namespace aeolic {

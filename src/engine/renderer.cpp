@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -12,7 +11,6 @@
 #include "cluster/comm/hosts.h"
 #include "cluster/comm/mpi_communicator.h"
 #include "cluster/comm/together.h"
-#include "data/load/series/time_series.h"
 #include "description/option_table.h"
 #include "description/overlays.h"
 #include "description/scene_json.h"

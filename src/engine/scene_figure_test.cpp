@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "aeolic/renderer.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "ranks/thread_communicator.h"
 
 namespace aeolic {

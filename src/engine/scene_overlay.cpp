@@ -7,7 +7,6 @@
 #include "data/topology/surface_topology.h"
 #include "render/overlay/mesh_lines.h"
 #include "render/overlay/streamline_strokes.h"
-#include "render/overlay/streamline_through.h"
 #include "render/overlay/surface_lines.h"
 #include "render/overlay/topology_lines.h"
 
@@ -35,7 +34,7 @@ std::shared_ptr<const SurfaceOverlay> SceneOverlay::topologyOf(double persistenc
 {
     if (topology_ && persistence_ == persistence) return topology_;
     const PointFlow flow = pointFlow(whole.scene(), whole.lookUp());
-    const SurfaceTopology topology = surfaceTopology(flow.mesh, flow.vectors, {.persistence = persistence});
+    const SurfaceTopology topology = surfaceTopology(flow.mesh, flow.vectors, persistence);
     topology_ = std::make_shared<SurfaceLines>(topologyLines(topology, flow.mesh));
     persistence_ = persistence;
     return topology_;

@@ -1,6 +1,5 @@
 #include "engine/tile_picture.h"
 
-#include <array>
 #include <utility>
 
 namespace aeolic {

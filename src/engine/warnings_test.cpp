@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "load_testing.h"
 #include "pieces_testing.h"
 

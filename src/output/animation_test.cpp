@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "aeolic/error.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "output/picture_files.h"
 
 namespace aeolic {

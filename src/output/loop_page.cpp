@@ -13,7 +13,6 @@
 #include "base/text.h"
 #include "output/animation.h"
 #include "output/new_file.h"
-#include "output/webp.h"
 
 extern "C" const aeolic::EmbeddedFile aeolicLoopFiles[];
 

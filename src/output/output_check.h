@@ -12,10 +12,8 @@ void checkFileName(const std::string& path);
 /// path is a folder, a device or a read-only file.
 void checkWritable(const std::string& path);
 
-/// Writes a whole file: afterwards `path` is complete, or what it was before. Most file systems of Linux can hold files
-/// without a name; there nothing unfinished is left, whatever ends the program. Most network file systems cannot: a
-/// program that is killed may leave a file that ends in .tmp there. Nobody can have prepared its name, which is drawn
-/// at random. `mayBeNameless` false: as on those. Throws std::runtime_error naming the path.
+/// Writes a whole file as a NewFile: afterwards `path` is complete, or what it was before. Throws std::runtime_error
+/// naming the path.
 void writeTextFile(const std::string& path, const std::string& text, bool mayBeNameless = true);
 
 }  // namespace aeolic

@@ -27,20 +27,10 @@ NamedFormat checkedFormat(const std::string& path, const SceneDescription& scene
 
 std::unique_ptr<Animation> animationFor(PictureFormat format, const AnimationPlan& plan)
 {
-    switch (format) {
-        case PictureFormat::webp:
-            return plan.frames > 1 ? makeWebpAnimation(plan) : nullptr;
-        case PictureFormat::html:
-            return makeLoopPage(plan);
-        case PictureFormat::apng:
-            return makeApng(plan);
-        case PictureFormat::mp4:
-            return makeVideo(plan);
-        case PictureFormat::png:
-        case PictureFormat::jpeg:
-            break;
-    }
-    return nullptr;
+    if (format == PictureFormat::webp && plan.frames > 1) return makeWebpAnimation(plan);
+    if (format == PictureFormat::html) return makeLoopPage(plan);
+    if (format == PictureFormat::apng) return makeApng(plan);
+    return format == PictureFormat::mp4 ? makeVideo(plan) : nullptr;
 }
 
 constexpr int kLoopFrames = 48, kPagePictures = 8;

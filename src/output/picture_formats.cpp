@@ -24,18 +24,6 @@ constexpr Ending endings[] = {{".png", PictureFormat::png, true},    {".jpg", Pi
                               {".apng", PictureFormat::apng, false}, {".mp4", PictureFormat::mp4, false},
                               {".html", PictureFormat::html, false}};
 
-std::string encoded(const Picture& picture, const std::string& path, PictureFormat format)
-{
-    switch (format) {
-        case PictureFormat::jpeg:
-            return jpegOf(picture, path);
-        case PictureFormat::webp:
-            return webpOf(picture, path);
-        default:
-            return pngOf(picture, path);
-    }
-}
-
 }  // namespace
 
 NamedFormat pictureFormatOf(const std::string& option, const std::string& path, bool animation, const char* more)
@@ -82,7 +70,9 @@ void writePicture(const Picture& picture, const std::string& path)
     checkFileName(path);
     const PictureFormat format = pictureFormatOf(path, path, false).format;
     checkFits(path, format, picture.width, picture.height, picture.channels == 4);
-    writeTextFile(path, encoded(picture, path, format));
+    writeTextFile(path, format == PictureFormat::jpeg   ? jpegOf(picture, path)
+                        : format == PictureFormat::webp ? webpOf(picture, path)
+                                                        : pngOf(picture, path));
 }
 
 }  // namespace aeolic

@@ -21,7 +21,8 @@ std::string pngOf(const Picture& picture, const std::string& path)
     std::string bytes;
     const auto fail = [&](const char* why) { throw std::runtime_error(path + ": cannot be encoded as PNG: " + why); };
     try {
-        appendPng({picture.pixels.data(), picture.width, picture.height, picture.channels}, kEffort, bytes);
+        writePngTo({picture.pixels.data(), picture.width, picture.height, picture.channels}, kEffort,
+                   [&](const std::uint8_t* piece, std::size_t count) { bytes.append(piece, piece + count); });
     } catch (const std::bad_alloc&) {
         fail("there is not enough memory");
     } catch (const std::runtime_error& error) {

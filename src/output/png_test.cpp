@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "aeolic/picture.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 namespace aeolic {
 namespace {

@@ -17,8 +17,7 @@ struct PngJob {
     png_infop info = nullptr;
     char error[120] = "";
     bool outOfMemory = false;
-    PngSink sink = nullptr;
-    void* to = nullptr;
+    const std::function<void(const std::uint8_t*, std::size_t)>& sink;
 };
 
 [[noreturn]] void onError(png_structp png, png_const_charp message)
@@ -34,7 +33,7 @@ void append(png_structp png, png_bytep bytes, png_size_t count)
 {
     PngJob& job = *static_cast<PngJob*>(png_get_io_ptr(png));
     try {
-        job.sink(job.to, bytes, count);
+        job.sink(bytes, count);
     } catch (...) {
         job.outOfMemory = true;
     }
@@ -61,11 +60,10 @@ bool write(PngJob& job, const PngPixels& pixels, const PngEffort& effort)
 
 }  // namespace
 
-void writePngTo(const PngPixels& pixels, const PngEffort& effort, PngSink sink, void* to)
+void writePngTo(const PngPixels& pixels, const PngEffort& effort,
+                const std::function<void(const std::uint8_t* bytes, std::size_t count)>& sink)
 {
-    PngJob job;
-    job.sink = sink;
-    job.to = to;
+    PngJob job{.sink = sink};
     job.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, onError, onWarning);
     if (job.png) job.info = png_create_info_struct(job.png);
     const bool done = job.info && write(job, pixels, effort);

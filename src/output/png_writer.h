@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace aeolic {
@@ -20,24 +21,9 @@ struct PngEffort {
     std::optional<std::size_t> chunkBytes = {};
 };
 
-/// Takes the bytes of a file, piece after piece. May throw.
-using PngSink = void (*)(void* to, const std::uint8_t* bytes, std::size_t count);
-
-/// Writes a PNG file to `sink`. Throws std::bad_alloc where there is no memory, or where the sink threw; and
-/// std::runtime_error with libpng's words for anything else.
-void writePngTo(const PngPixels& pixels, const PngEffort& effort, PngSink sink, void* to);
-
-/// The same, to the end of a container of bytes.
-template <class Bytes>
-void appendPng(const PngPixels& pixels, const PngEffort& effort, Bytes& out)
-{
-    writePngTo(
-        pixels, effort,
-        [](void* to, const std::uint8_t* bytes, std::size_t count) {
-            auto& all = *static_cast<Bytes*>(to);
-            all.insert(all.end(), bytes, bytes + count);
-        },
-        &out);
-}
+/// Hands a PNG file to `sink`, piece after piece. Throws std::bad_alloc where there is no memory, or where the sink
+/// threw; and std::runtime_error with libpng's words for anything else.
+void writePngTo(const PngPixels& pixels, const PngEffort& effort,
+                const std::function<void(const std::uint8_t* bytes, std::size_t count)>& sink);
 
 }  // namespace aeolic

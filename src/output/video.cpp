@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 #include "output/animation.h"
 #include "output/new_file.h"
 
@@ -112,9 +113,7 @@ public:
         std::array<char, 300> text{};
         const ssize_t bytes = pread(complaints_, text.data(), text.size(), 0);
         std::string line(text.data(), std::size_t(std::max<ssize_t>(bytes, 0)));
-        line = line.substr(0, line.find('\n'));
-        for (char& c : line)
-            if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+        line = withoutControls(line.substr(0, line.find('\n')));
         return line.empty() ? "it said nothing" : line;
     }
 
@@ -153,38 +152,15 @@ private:
     {
         // Players want even sides, and half the resolution in colour. A file name is never an option: it has a
         // protocol.
-        ffmpeg_ = std::make_unique<Ffmpeg>(
-            std::vector<std::string>{program_,
-                                     "-nostdin",
-                                     "-hide_banner",
-                                     "-loglevel",
-                                     "error",
-                                     "-y",
-                                     "-f",
-                                     "rawvideo",
-                                     "-pix_fmt",
-                                     picture.channels == 4 ? "rgba" : "rgb24",
-                                     "-s",
-                                     fmt::format("{}x{}", picture.width, picture.height),
-                                     "-r",
-                                     fmt::format("{}", plan_.framesPerSecond),
-                                     "-i",
-                                     "pipe:0",
-                                     "-an",
-                                     "-vf",
-                                     fmt::format("pad=ceil(iw/2)*2:ceil(ih/2)*2:color=0x{}", plan_.background),
-                                     "-pix_fmt",
-                                     "yuv420p",
-                                     "-crf",
-                                     "16",
-                                     "-q:v",
-                                     "2",
-                                     "-movflags",
-                                     "+faststart",
-                                     "-f",
-                                     "mp4",
-                                     "file:" + file_.nameFor(Ffmpeg::kFileThere)},
-            file_.descriptor());
+        const std::string options = fmt::format(
+            "-nostdin -hide_banner -loglevel error -y -f rawvideo -pix_fmt {} -s {}x{} -r {} -i pipe:0 -an "
+            "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2:color=0x{} -pix_fmt yuv420p -crf 16 -q:v 2 -movflags +faststart -f mp4",
+            picture.channels == 4 ? "rgba" : "rgb24", picture.width, picture.height, plan_.framesPerSecond,
+            plan_.background);
+        std::vector<std::string> words{program_};
+        for (const std::string_view word : splitText(options, ' ')) words.emplace_back(word);
+        words.push_back("file:" + file_.nameFor(Ffmpeg::kFileThere));
+        ffmpeg_ = std::make_unique<Ffmpeg>(std::move(words), file_.descriptor());
     }
     [[noreturn]] void fail()
     {

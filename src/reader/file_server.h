@@ -20,11 +20,10 @@ public:
 private:
     void answer(const Packet& packet);
     void enter(const std::string& folder, const std::string& path);
-    void look(ByteReader& message);
-    void open(ByteReader& message);
-    void tellArrays(ByteReader& message);
-    void read(ByteReader& message);
-    void send(ByteWriter& message);
+    void look(ByteReader& message, ByteWriter& answer);
+    void open(ByteReader& message, ByteWriter& answer);
+    void tellArrays(ByteReader& message, ByteWriter& answer);
+    void read(ByteReader& message, ByteWriter& answer);
 
     const PacketSocket& caller_;
     std::string path_;  // Of the file that is read.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "data/color_map/color_spaces.h"
 #include "description/color_scale.h"
 #include "render/shading_model.h"
 #include "render/surface_mark.h"
@@ -11,23 +12,7 @@
 namespace aeolic {
 namespace {
 
-using Triple = std::array<double, 3>;
-
-double linearOf(double encoded)
-{
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-double encodedOf(double linear)
-{
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-Triple times(const double (&m)[3][3], const Triple& v)
-{
-    Triple out{};
-    for (std::size_t i = 0; i < 3; ++i) out[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
-    return out;
-}
+using Triple = ColorTriple;
 
 /// sRGB in [0, 1] to Oklab: lightness, green to red, blue to yellow.
 Triple oklabOf(const Triple& rgb)
@@ -38,7 +23,7 @@ Triple oklabOf(const Triple& rgb)
     constexpr double lab[3][3] = {{0.2104542553, 0.7936177850, -0.0040720468},
                                   {1.9779984951, -2.4285922050, 0.4505937099},
                                   {0.0259040371, 0.7827717662, -0.8086757660}};
-    Triple lms = times(cones, {linearOf(rgb[0]), linearOf(rgb[1]), linearOf(rgb[2])});
+    Triple lms = times(cones, {linearOfSrgb(rgb[0]), linearOfSrgb(rgb[1]), linearOfSrgb(rgb[2])});
     for (double& v : lms) v = std::cbrt(v);
     return times(lab, lms);
 }
@@ -54,7 +39,7 @@ Triple rgbOf(const Triple& lab)
     Triple lms = times(cones, lab);
     for (double& v : lms) v = v * v * v;
     Triple out = times(rgb, lms);
-    for (double& v : out) v = v < 0 ? v : encodedOf(v);
+    for (double& v : out) v = v < 0 ? v : srgbOfLinear(v);
     return out;
 }
 

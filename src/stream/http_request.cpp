@@ -1,8 +1,8 @@
 #include "stream/http_request.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "stream/token.h"
 
 namespace aeolic::stream {
@@ -11,14 +11,6 @@ namespace {
 namespace http = boost::beast::http;
 
 constexpr std::string_view kTokenItem = "token=";
-
-/// Takes the next part off "one&two&three".
-std::string_view nextPart(std::string_view& rest, char separator)
-{
-    const std::string_view part = rest.substr(0, rest.find(separator));
-    rest.remove_prefix(std::min(rest.size(), part.size() + 1));
-    return part;
-}
 
 std::string_view queryOf(const HttpRequest& request)
 {
@@ -38,9 +30,8 @@ std::string pathOf(const HttpRequest& request)
 std::optional<std::string_view> tokenOf(const HttpRequest& request)
 {
     // Escapes are not resolved: tokens need none.
-    for (std::string_view query = queryOf(request); !query.empty();)
-        if (const std::string_view item = nextPart(query, '&'); item.starts_with(kTokenItem))
-            return item.substr(kTokenItem.size());
+    for (const std::string_view item : splitText(queryOf(request), '&'))
+        if (item.starts_with(kTokenItem)) return item.substr(kTokenItem.size());
     constexpr std::string_view bearer = "Bearer ";
     const std::string_view authorization = textOf(request[http::field::authorization]);
     if (authorization.starts_with(bearer)) return authorization.substr(bearer.size());
@@ -57,8 +48,7 @@ std::string targetWithoutToken(const HttpRequest& request)
 {
     std::string target = pathOf(request);
     char before = '?';
-    for (std::string_view query = queryOf(request); !query.empty();) {
-        const std::string_view item = nextPart(query, '&');
+    for (const std::string_view item : splitText(queryOf(request), '&')) {
         if (item.empty() || item.starts_with(kTokenItem)) continue;
         target += std::exchange(before, '&');
         target += item;
@@ -68,8 +58,7 @@ std::string targetWithoutToken(const HttpRequest& request)
 
 std::string_view cookieOf(const HttpRequest& request, std::string_view name)
 {
-    for (std::string_view cookies = textOf(request[http::field::cookie]); !cookies.empty();) {
-        std::string_view item = nextPart(cookies, ';');
+    for (std::string_view item : splitText(textOf(request[http::field::cookie]), ';')) {
         while (item.starts_with(' ')) item.remove_prefix(1);
         if (item.size() > name.size() && item.starts_with(name) && item[name.size()] == '=')
             return item.substr(name.size() + 1);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "aeolic/error.h"
@@ -111,12 +110,9 @@ Hello helloFrom(const Json& json)
     if (!codecs.is_array()) throw ProtocolError("codecs is not a list");
     for (const Json& name : codecs) {
         const auto codec = codecFromName(textFrom(name, "codecs"));
-        if (codec && available(*codec) &&
-            std::find(hello.codecs.begin(), hello.codecs.end(), *codec) == hello.codecs.end())
-            hello.codecs.push_back(*codec);
+        if (codec && available(*codec) && std::ranges::count(hello.codecs, *codec) == 0) hello.codecs.push_back(*codec);
     }
-    if (std::find(hello.codecs.begin(), hello.codecs.end(), Codec::png) == hello.codecs.end())
-        throw ProtocolError("codecs lacks png");
+    if (std::ranges::count(hello.codecs, Codec::png) == 0) throw ProtocolError("codecs lacks png");
     if (json.contains("direct")) hello.direct = switchFrom(json, "direct");
     if (json.contains("name")) hello.name = withoutControls(textFrom(json["name"], "name"));
     if (hello.name.size() > kLongestName) throw ProtocolError("name is longer than 64 bytes");
@@ -191,15 +187,9 @@ std::uint64_t samplesOf(const SceneDescription& scene)
     const std::uint64_t pixels = std::uint64_t(scene.output.width) * std::uint64_t(scene.output.height);
     const std::uint64_t phases = scene.lic.flow == FlowMotion::loop ? phase_mix::runsOf(scene.lic).size() : 1;
     const auto steps = std::uint64_t(kernelSteps(scene.lic)) * phases;
-    switch (scene.lic.method) {
-        case LicMethod::none:
-            return pixels;
-        case LicMethod::direct:
-            return pixels * 2 * steps;
-        case LicMethod::hierarchical:
-            return pixels * 2 * std::min(steps, kMostLookUps * phases);
-    }
-    return pixels;
+    if (scene.lic.method == LicMethod::none) return pixels;
+    const bool jumps = scene.lic.method == LicMethod::hierarchical;
+    return pixels * 2 * (jumps ? std::min(steps, kMostLookUps * phases) : steps);
 }
 
 namespace {
@@ -219,11 +209,9 @@ std::vector<bool> shownFrom(const Json& json)
 std::size_t placeFrom(const std::string& text)
 {
     constexpr std::size_t mostDigits = 3;
-    std::size_t place = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), place);
-    if (error != std::errc() || end != text.data() + text.size() || text.size() > mostDigits)
-        throw ProtocolError("cuts has a place that is not a number");
-    return place;
+    const auto place = wholeTextAs<std::size_t>(text);
+    if (!place || text.size() > mostDigits) throw ProtocolError("cuts has a place that is not a number");
+    return *place;
 }
 
 std::map<std::size_t, std::optional<std::string>> cutsFrom(const Json& json)

@@ -22,6 +22,12 @@ inline Json parseJson(std::string_view text)
     return parseJson(ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
+/// The text of a JSON message. What is not UTF-8 is replaced.
+inline std::string jsonText(const Json& json)
+{
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 /// What a viewer says about itself. helloFrom() throws ProtocolError where it is not as docs/protocol.md says.
 struct Hello {
     std::vector<Codec> codecs;  ///< Codecs that this build has too; png is among them.

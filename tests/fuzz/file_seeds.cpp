@@ -18,18 +18,18 @@
 #include <set>
 #include <stdexcept>
 
-#include "data/vtk/sample_vtkhdf.h"
-#include "data/vtk/sample_writers.h"
+#include "data/vtk/testing/sample_vtkhdf.h"
+#include "data/vtk/testing/sample_writers.h"
 #include "description/file_kinds.h"
 #include "odd_data.h"
-#include "reader/cgns/sample_cgns.h"
-#include "reader/ensight/sample_ensight.h"
-#include "reader/exodus/sample_exodus.h"
-#include "reader/fluent/sample_fluent.h"
-#include "reader/hdf5/sample_hdf5.h"
-#include "reader/netcdf/sample_netcdf.h"
-#include "reader/openfoam/sample_case.h"
-#include "reader/tecplot/sample_tecplot.h"
+#include "reader/cgns/testing/sample_cgns.h"
+#include "reader/ensight/testing/sample_ensight.h"
+#include "reader/exodus/testing/sample_exodus.h"
+#include "reader/fluent/testing/sample_fluent.h"
+#include "reader/hdf5/testing/sample_hdf5.h"
+#include "reader/netcdf/testing/sample_netcdf.h"
+#include "reader/openfoam/testing/sample_case.h"
+#include "reader/tecplot/testing/sample_tecplot.h"
 
 namespace aeolic::test {
 namespace {

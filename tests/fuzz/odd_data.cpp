@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-#include "data/vtk/sample_writers.h"
+#include "data/vtk/testing/sample_writers.h"
 
 namespace aeolic::test {
 namespace {

@@ -1,16 +1,18 @@
 /// The PLY reader: what it takes for a surface has as many normals and values as points and polygons.
 #include <vtkCellData.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 
 #include "aeolic/error.h"
 #include "memory_file.h"
-#include "reader/vtk/ply_reader.h"
+#include "reader/vtk/format_readers.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const aeolic::fuzz::MemoryFile file(data, size);
     try {
-        const auto surface = aeolic::readPly(file.path(), {});
+        const auto read = aeolic::readPly(file.path(), {});
+        auto* const surface = vtkPolyData::SafeDownCast(read);
         for (int i = 0; i < surface->GetPointData()->GetNumberOfArrays(); ++i)
             if (surface->GetPointData()->GetArray(i)->GetNumberOfTuples() != surface->GetNumberOfPoints())
                 __builtin_trap();

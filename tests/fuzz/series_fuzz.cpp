@@ -1,8 +1,7 @@
 /// Files that name the steps of a series: JSON (.series) behind a 'J', XML (.pvd) behind anything else.
 #include "aeolic/error.h"
 #include "memory_file.h"
-#include "reader/lists/series_json.h"
-#include "reader/vtk/pvd_file.h"
+#include "reader/lists/series_files.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

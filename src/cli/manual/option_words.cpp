@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text.h"
 #include "description/option_help.h"
 
 namespace aeolic::manual {
@@ -35,13 +36,9 @@ std::vector<std::string> choicesOf(const CLI::Option& option)
     for (const std::string& name : namesOf(option))
         if (choices.empty()) choices = optionWords(name);
     if (!choices.empty() || text.find('|') == std::string::npos) return choices;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find('|', begin), text.size());
-        const std::string word = text.substr(begin, end - begin);
-        const auto isPlain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
-        if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) choices.push_back(word);
-        begin = end + 1;
-    }
+    for (const std::string_view word : splitText(text, '|'))
+        if (!word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == word.npos)
+            choices.emplace_back(word);
     return choices;
 }
 

@@ -55,6 +55,21 @@ private:
         return speeds;
     }
 
+    /// How many of the rows [y0, y1) come before the first for which `holds` is false.
+    template <class Holds>
+    static int rowsBefore(int y0, int y1, const Holds& holds)
+    {
+        int begin = y0, end = y1;
+        while (begin < end) {
+            const int middle = begin + (end - begin) / 2;
+            if (holds(middle))
+                begin = middle + 1;
+            else
+                end = middle;
+        }
+        return begin - y0;
+    }
+
     double timeOf(int rank, int y0, int y1) const
     {
         return stripeCost(sums_, costs_, y0, y1) / speeds_[std::size_t(rank)];
@@ -63,23 +78,13 @@ private:
     /// The last row end that `rank` reaches from `begin` within `time`; `begin` if it cannot do a single row.
     int farthestEnd(int rank, int begin, double time) const
     {
-        int reached = begin, beyond = height_ + 1;
-        while (beyond - reached > 1) {
-            const int middle = reached + (beyond - reached) / 2;
-            (timeOf(rank, begin, middle) <= time ? reached : beyond) = middle;
-        }
-        return reached;
+        return begin + rowsBefore(begin + 1, height_ + 1, [&](int end) { return timeOf(rank, begin, end) <= time; });
     }
 
     /// The first row from which `rank` gets to `end` within `time`.
     int earliestBegin(int rank, int end, double time) const
     {
-        int reached = end, beyond = -1;
-        while (reached - beyond > 1) {
-            const int middle = beyond + (reached - beyond) / 2;
-            (timeOf(rank, middle, end) <= time ? reached : beyond) = middle;
-        }
-        return reached;
+        return rowsBefore(0, end, [&](int begin) { return timeOf(rank, begin, end) > time; });
     }
 
     bool canFinishIn(double time) const
@@ -116,12 +121,8 @@ private:
     {
         const auto costAbove = [&](int row) { return ownCost(sums_, costs_, 0, row); };
         const double wanted = share * costAbove(height_);
-        int below = 0, beyond = height_;
-        while (beyond - below > 1) {
-            const int middle = below + (beyond - below) / 2;
-            (costAbove(middle) <= wanted ? below : beyond) = middle;
-        }
-        return wanted - costAbove(below) <= costAbove(beyond) - wanted ? below : beyond;
+        const int below = rowsBefore(1, height_, [&](int row) { return costAbove(row) <= wanted; });
+        return wanted - costAbove(below) <= costAbove(below + 1) - wanted ? below : below + 1;
     }
 
     RowSums sums_;

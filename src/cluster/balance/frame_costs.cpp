@@ -32,20 +32,10 @@ int guardPixelBytes(const LicOptions& lic)
 FrameCosts frameCosts(const LicOptions& lic, const NetworkModel& network)
 {
     FrameCosts costs;
-    switch (lic.method) {
-        case LicMethod::none:
-            costs.convolveNs = 0;
-            break;
-        case LicMethod::direct:
-            costs.convolveNs = kDirectStepNs * lic.steps *
-                               (lic.integrator == Integrator::euler ? 0.5
-                                : lic.integrator == Integrator::rk4 ? 2.0
-                                                                    : 1.0);
-            break;
-        case LicMethod::hierarchical:
-            costs.convolveNs = kDoublingNs * (1 + std::log2(double(lic.steps)));
-            break;
-    }
+    const double parts = lic.integrator == Integrator::euler ? 0.5 : lic.integrator == Integrator::rk4 ? 2.0 : 1.0;
+    costs.convolveNs = lic.method == LicMethod::none     ? 0
+                       : lic.method == LicMethod::direct ? kDirectStepNs * lic.steps * parts
+                                                         : kDoublingNs * (1 + std::log2(double(lic.steps)));
     costs.runNs = kRunPixels * costs.projectNs;
     // When a trace of the direct method ends, another takes its place, so vectors stay full.
     if (lic.method == LicMethod::hierarchical) costs.runNs += kRunPixels * costs.convolveNs;

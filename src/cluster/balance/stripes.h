@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "base/extent.h"
@@ -22,12 +24,21 @@ struct Stripes {
     }
 
     /// The rank whose stripe holds `row`, [0, height). Cost: log ranks.
-    int ownerOf(int row) const;
+    int ownerOf(int row) const
+    {
+        // The last stripe that starts at or above `row`: empty stripes before it start there too, but come earlier.
+        return int(std::upper_bound(firstRow.begin(), firstRow.end() - 1, row) - firstRow.begin()) - 1;
+    }
 
     bool operator==(const Stripes&) const = default;
 };
 
 /// Stripes of equal height, as far as rows can be divided: heights differ by at most one.
-Stripes equalStripes(int height, int ranks);
+inline Stripes equalStripes(int height, int ranks)
+{
+    Stripes stripes;
+    for (int r = 0; r <= ranks; ++r) stripes.firstRow.push_back(int(std::int64_t(height) * r / ranks));
+    return stripes;
+}
 
 }  // namespace aeolic

@@ -12,15 +12,7 @@ namespace {
 template <class T>
 T combine(T a, T b, Reduction how)
 {
-    switch (how) {
-        case Reduction::min:
-            return std::min(a, b);
-        case Reduction::max:
-            return std::max(a, b);
-        case Reduction::sum:
-            break;
-    }
-    return a + b;
+    return how == Reduction::min ? std::min(a, b) : how == Reduction::max ? std::max(a, b) : a + b;
 }
 
 }  // namespace
@@ -147,18 +139,6 @@ void Communicator::allReduce(std::span<double> values, Reduction how)
 void Communicator::allReduce(std::span<std::int64_t> values, Reduction how)
 {
     fold(values, how);
-}
-
-double Communicator::allReduce(double value, Reduction how)
-{
-    fold(std::span(&value, 1), how);
-    return value;
-}
-
-std::int64_t Communicator::allReduce(std::int64_t value, Reduction how)
-{
-    fold(std::span(&value, 1), how);
-    return value;
 }
 
 std::vector<Message> Communicator::exchange(std::vector<Message> outgoing)

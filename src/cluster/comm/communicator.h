@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "base/timing.h"
@@ -102,8 +103,12 @@ public:
     void allReduce(std::span<std::int64_t> values, Reduction how);
 
     /// Collective. One value.
-    double allReduce(double value, Reduction how);
-    std::int64_t allReduce(std::int64_t value, Reduction how);
+    template <class Number>
+    requires std::is_arithmetic_v<Number> Number allReduce(Number value, Reduction how)
+    {
+        allReduce(std::span(&value, 1), how);
+        return value;
+    }
 
     /// Collective. Sends every outgoing message and returns those that came, by ascending sender. At most one message
     /// per receiver, oneself included; empty ones are not delivered. Cost beside the messages: 8 bytes to every rank,

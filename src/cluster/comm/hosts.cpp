@@ -11,35 +11,12 @@ namespace {
 
 constexpr std::size_t kMostCores = 8192;  // The largest that Linux is built for.
 
-// A place as a message: the host's name, a zero, a byte for each core.
-Bytes toBytes(const RankPlace& place)
-{
-    Bytes bytes;
-    for (const char c : place.host) bytes.push_back(std::byte(c));
-    bytes.push_back(std::byte{0});
-    for (const bool mine : place.cores) bytes.push_back(std::byte{mine});
-    return bytes;
-}
-
-RankPlace fromBytes(const Bytes& bytes)
-{
-    RankPlace place;
-    const auto end = std::find(bytes.begin(), bytes.end(), std::byte{0});
-    for (auto c = bytes.begin(); c != end; ++c) place.host += char(*c);
-    if (end != bytes.end())
-        for (auto core = end + 1; core != bytes.end(); ++core) place.cores.push_back(*core != std::byte{0});
-    return place;
-}
-
-bool mayRunOn(const RankPlace& place, std::size_t core)
-{
-    return core < place.cores.size() && place.cores[core];
-}
-
 std::vector<RankPlace> gatherPlaces(Communicator& communicator)
 {
+    ByteWriter mine;
+    mine.add(placeOfThisProcess());
     std::vector<RankPlace> places;
-    for (const Bytes& bytes : communicator.allGather(toBytes(placeOfThisProcess()))) places.push_back(fromBytes(bytes));
+    for (const Bytes& bytes : communicator.allGather(mine.take())) ByteReader(bytes).read(places.emplace_back());
     return places;
 }
 
@@ -77,8 +54,9 @@ HostShare shareOf(const std::vector<RankPlace>& places, int rank)
     double cores = 0;
     for (std::size_t core = 0; core < mine.cores.size(); ++core)
         if (mine.cores[core])
-            cores += 1.0 / double(std::count_if(neighbours.begin(), neighbours.end(),
-                                                [&](const RankPlace* place) { return mayRunOn(*place, core); }));
+            cores += 1.0 / double(std::count_if(neighbours.begin(), neighbours.end(), [&](const RankPlace* place) {
+                         return core < place->cores.size() && place->cores[core];
+                     }));
     share.cores = std::max(1, int(cores + 1e-6));  // Thirds may add up to a little less than one.
     return share;
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "base/byte_message.h"
 #include "cluster/comm/communicator.h"
 
 namespace aeolic {
@@ -10,8 +12,14 @@ namespace aeolic {
 /// Where a rank runs.
 struct RankPlace {
     std::string host;
-    std::vector<bool> cores;  ///< [core]: it may run there. Empty: not told.
+    std::vector<std::uint8_t> cores;  ///< [core]: whether it may run there. Empty: not told.
 };
+
+template <PerhapsConst<RankPlace> Place, class Visit>
+void withMembers(Place& place, const Visit& visit)
+{
+    visit(place.host, place.cores);
+}
 
 /// Local. Where this process runs, as the launcher or the batch system bound it.
 RankPlace placeOfThisProcess();

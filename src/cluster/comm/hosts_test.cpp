@@ -8,7 +8,7 @@
 namespace aeolic {
 namespace {
 
-RankPlace place(const std::string& host, const std::vector<bool>& cores)
+RankPlace place(const std::string& host, const std::vector<std::uint8_t>& cores)
 {
     return {host, cores};
 }
@@ -21,7 +21,7 @@ std::vector<HostShare> sharesOf(const std::vector<RankPlace>& places)
     return shares;
 }
 
-const std::vector<bool> kAllOfEight(8, true);
+const std::vector<std::uint8_t> kAllOfEight(8, true);
 
 TEST(HostShare, AloneARankHasAllItMayRunOn)
 {

@@ -34,7 +34,7 @@ public:
     [[noreturn]] void abortJob(const std::string& message, int exitCode) override;
 
 private:
-    void doBarrier() override;
+    void doBarrier() override { check(MPI_Barrier(comm_), "MPI_Barrier"); }
     void doBroadcast(Bytes& bytes, int root) override;
     void doGather(std::vector<Bytes>& all, ByteSpan mine, int root) override;
     std::vector<Bytes> doAllGather(ByteSpan mine) override;
@@ -207,11 +207,6 @@ void MpiCommunicator::doExchange(const std::vector<OutgoingBytes>& outgoing, con
                   "MPI_Isend");
         });
     waitAll(requests, expectedBytes);
-}
-
-void MpiCommunicator::doBarrier()
-{
-    check(MPI_Barrier(comm_), "MPI_Barrier");
 }
 
 void MpiCommunicator::broadcastInChunks(std::span<std::byte> bytes, int root) const

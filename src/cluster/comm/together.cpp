@@ -144,14 +144,10 @@ std::vector<std::string> distinctOfAll(Communicator& communicator, const std::ve
     std::string lines;
     for (const std::string& text : mine) lines += withoutControls(text) + '\n';
     std::vector<std::string> distinct;
-    for (const std::string& all : allGatherText(communicator, lines)) {
-        std::size_t begin = 0;
-        for (std::size_t end; (end = all.find('\n', begin)) != std::string::npos; begin = end + 1) {
-            std::string text = all.substr(begin, end - begin);
-            if (std::find(distinct.begin(), distinct.end(), text) == distinct.end())
-                distinct.push_back(std::move(text));
-        }
-    }
+    for (const std::string& all : allGatherText(communicator, lines))
+        for (const std::string_view text : splitText(std::string_view(all).substr(0, all.rfind('\n')), '\n'))
+            if (!all.empty() && std::find(distinct.begin(), distinct.end(), text) == distinct.end())
+                distinct.emplace_back(text);
     return distinct;
 }
 

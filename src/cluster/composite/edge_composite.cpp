@@ -1,5 +1,6 @@
 #include "cluster/composite/edge_composite.h"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -30,14 +31,11 @@ std::vector<EdgePixelSeen> EdgeComposite::exchange(const std::vector<EdgePixelSe
     const Extent rows = stripes_.extent(communicator_.rank(), width_);
     std::vector<EdgePixelSeen> all;
     for (const Message& message : communicator_.exchange(std::move(outgoing))) {
-        const std::size_t count = message.bytes.size() / sizeof(EdgePixelSeen), before = all.size();
-        all.resize(before + count);
-        std::memcpy(all.data() + before, message.bytes.data(), count * sizeof(EdgePixelSeen));
-        bool right = message.bytes.size() == count * sizeof(EdgePixelSeen);
-        for (std::size_t i = before; i < all.size(); ++i) right = right && rows.contains(all[i].x, all[i].y);
-        if (!right)
+        const auto pixels = valuesOf<EdgePixelSeen>(message);
+        if (!std::ranges::all_of(pixels, [&](const EdgePixelSeen& pixel) { return rows.contains(pixel.x, pixel.y); }))
             throw std::runtime_error("samples of edges from rank " + std::to_string(message.rank) +
                                      " are of other rows");
+        all.insert(all.end(), pixels.begin(), pixels.end());
     }
     return all;
 }

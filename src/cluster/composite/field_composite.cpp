@@ -16,11 +16,12 @@ void appendRow(const FieldPixels& pixels, int y, const FieldRows& into, std::vec
     const auto holds = [&](int x) { return flow[x] != 0 || (scalar && scalar[x] == scalar[x]); };
     findRuns(pixels.drawn, holds, runs);
     appendRuns(bytes, runs);
-    for (const PixelRun& run : runs) appendBytes(bytes, flow + run.x0, std::size_t(run.x1 - run.x0));
-    for (const PixelRun& run : runs)
-        if (scalar) appendBytes(bytes, scalar + run.x0, std::size_t(run.x1 - run.x0));
-    for (const PixelRun& run : runs)
-        if (masked) appendBytes(bytes, masked + run.x0, std::size_t(run.x1 - run.x0));
+    const auto append = [&](const auto* row) {
+        for (const PixelRun& run : runs) appendBytes(bytes, row + run.x0, std::size_t(run.x1 - run.x0));
+    };
+    append(flow);
+    if (scalar) append(scalar);
+    if (masked) append(masked);
 }
 
 Bytes pixelsFor(const Extent& rows, const FieldPixels& pixels, const FieldRows& into)
@@ -40,12 +41,13 @@ void takePixels(const Message& message, const Extent& rows, const FieldRows& int
     const MessageRows range = reader.rows(rows);
     std::vector<PixelRun> runs;
     for (int y = range.y0; y < range.y1; ++y) {
+        const auto take = [&](auto& image) {
+            for (const PixelRun& run : runs) reader.read(&image.at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
+        };
         reader.runs(rows, runs);
-        for (const PixelRun& run : runs) reader.read(&into.flow->at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
-        for (const PixelRun& run : runs)
-            if (into.scalar) reader.read(&into.scalar->at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
-        for (const PixelRun& run : runs)
-            if (into.masked) reader.read(&into.masked->at(run.x0, y), std::size_t(run.x1 - run.x0) * 4);
+        take(*into.flow);
+        if (into.scalar) take(*into.scalar);
+        if (into.masked) take(*into.masked);
     }
     reader.requireEnd();
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,26 @@ void appendBytes(Bytes& bytes, const T* values, std::size_t count)
 {
     const auto* from = reinterpret_cast<const std::byte*>(values);
     bytes.insert(bytes.end(), from, from + count * sizeof(T));
+}
+
+/// A message of values and of nothing else.
+template <class Value>
+Bytes messageOf(const std::vector<Value>& values)
+{
+    Bytes bytes;
+    appendBytes(bytes, values.data(), values.size());
+    return bytes;
+}
+
+/// What such a message holds. Throws std::runtime_error naming the sender where that is a part of a value.
+template <class Value>
+std::vector<Value> valuesOf(const Message& message)
+{
+    if (message.bytes.size() % sizeof(Value) != 0)
+        throw std::runtime_error("rank " + std::to_string(message.rank) + " sent a part of a value");
+    std::vector<Value> values(message.bytes.size() / sizeof(Value));
+    if (!values.empty()) std::memcpy(values.data(), message.bytes.data(), message.bytes.size());
+    return values;
 }
 
 /// The columns of `drawn` for which holds(x) is true, as runs.

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "cluster/composite/pixel_messages.h"
 #include "cluster/composite/triangle_messages.h"
 #include "data/mesh/triangle_order.h"
 
@@ -19,30 +19,6 @@ struct PointVector {
     std::uint64_t point = 0;
     std::array<double, 3> vector{};
 };
-
-/// Which rank counts the triangles of a number. Neighbours go to different ranks, and the same number to one.
-std::size_t counterOf(std::uint64_t order, int ranks)
-{
-    return std::size_t(order % std::uint64_t(ranks));
-}
-
-/// The values of a message of nothing else.
-template <class Value>
-std::vector<Value> valuesOf(const Message& message)
-{
-    if (message.bytes.size() % sizeof(Value) != 0)
-        throw std::runtime_error("rank " + std::to_string(message.rank) + " sent a part of a value");
-    std::vector<Value> values(message.bytes.size() / sizeof(Value));
-    if (!values.empty()) std::memcpy(values.data(), message.bytes.data(), message.bytes.size());
-    return values;
-}
-
-template <class Value>
-Bytes bytesOf(const std::vector<Value>& values)
-{
-    const auto* const begin = reinterpret_cast<const std::byte*>(values.data());
-    return Bytes(begin, begin + values.size() * sizeof(Value));
-}
 
 /// The places of the triangles that stay, of those sorted by number. Where several ranks gave triangles of the same
 /// number, those of the lowest rank stay.
@@ -62,12 +38,13 @@ std::vector<std::uint32_t> withoutRepeats(const SurfaceMesh& mesh, const std::ve
 std::uint64_t countBefore(Communicator& communicator, const SurfaceMesh& piece, std::uint64_t order)
 {
     std::vector<std::vector<std::uint64_t>> toRank(std::size_t(communicator.size()));
+    // Which rank counts a number: neighbours go to different ranks, and the same number to one.
     for (const std::uint64_t each : piece.order)
-        if (each < order) toRank[counterOf(each, communicator.size())].push_back(each);
+        if (each < order) toRank[each % toRank.size()].push_back(each);
     std::vector<Message> outgoing;
     outgoing.reserve(toRank.size());
     for (int rank = 0; rank < communicator.size(); ++rank)
-        outgoing.push_back({rank, bytesOf(std::exchange(toRank[std::size_t(rank)], {}))});
+        outgoing.push_back({rank, messageOf(std::exchange(toRank[std::size_t(rank)], {}))});
     std::vector<std::pair<std::uint64_t, int>> counted;  // Numbers, and whose they are.
     for (const Message& message : communicator.exchange(std::move(outgoing)))
         for (const std::uint64_t each : valuesOf<std::uint64_t>(message)) counted.emplace_back(each, message.rank);
@@ -134,7 +111,7 @@ std::vector<FieldVector> vectorsOfAll(Communicator& communicator, const GridFiel
     for (std::size_t i = 0; i < found.size(); ++i)
         if (found[i].inside && !std::exchange(found[i].elsewhere, false))
             mine.push_back({i, {found[i].vector.x, found[i].vector.y, found[i].vector.z}});
-    const std::vector<Bytes> all = communicator.allGather(bytesOf(mine));
+    const std::vector<Bytes> all = communicator.allGather(messageOf(mine));
     for (int rank = 0; rank < communicator.size(); ++rank)
         for (const PointVector& each : valuesOf<PointVector>({rank, all[std::size_t(rank)]})) {
             if (each.point >= found.size())

@@ -9,11 +9,6 @@ GuardPlan::GuardPlan(Stripes stripes, std::unique_ptr<GuardEstimate> reach, std:
 {
 }
 
-GuardRows GuardPlan::rows(int rank, int steps) const
-{
-    return reach_->rows(stripes_.extent(rank, 1), steps);
-}
-
 Extent GuardPlan::withGuards(int rank, int steps) const
 {
     return withGuard(stripes_.extent(rank, 1), rows(rank, steps), stripes_.height());
@@ -25,11 +20,6 @@ std::vector<Extent> GuardPlan::rowsOfAll(const std::optional<int>& steps) const
     rows.reserve(std::size_t(stripes_.ranks()));
     for (int r = 0; r < stripes_.ranks(); ++r) rows.push_back(steps ? withGuards(r, *steps) : stripes_.extent(r, 1));
     return rows;
-}
-
-GuardPlan::PartRows GuardPlan::rowsOf(const GuardPart& part) const
-{
-    return {&part, rowsOfAll(part.had), rowsOfAll(part.reach)};
 }
 
 GuardRows GuardPlan::sentRows(int rank, int steps) const

@@ -24,7 +24,7 @@ public:
     ColumnSpan flowOf(int row) const { return {facts_[std::size_t(row)].x0, facts_[std::size_t(row)].x1}; }
 
     /// The rows around a rank's stripe that its traces of so many steps read.
-    GuardRows rows(int rank, int steps) const;
+    GuardRows rows(int rank, int steps) const { return reach_->rows(stripes_.extent(rank, 1), steps); }
     /// The rows at both ends of a rank's stripe that others' traces read.
     GuardRows sentRows(int rank, int steps) const;
     /// A rank's stripe with its guard rows.
@@ -35,7 +35,7 @@ public:
         const GuardPart* part;
         std::vector<Extent> had, needed;  ///< [ranks]
     };
-    PartRows rowsOf(const GuardPart& part) const;
+    PartRows rowsOf(const GuardPart& part) const { return {&part, rowsOfAll(part.had), rowsOfAll(part.reach)}; }
 
     /// What `user` needs of `owner`'s stripe: rows above those it has, and rows below.
     std::vector<RowSpan> shared(const PartRows& part, int user, int owner) const;

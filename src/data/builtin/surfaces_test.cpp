@@ -7,7 +7,7 @@
 
 #include "aeolic/error.h"
 #include "data/mesh/mesh_tools.h"
-#include "data/mesh/mesh_topology_testing.h"
+#include "data/mesh/testing/mesh_topology_testing.h"
 
 namespace aeolic {
 namespace {

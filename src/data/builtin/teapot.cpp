@@ -1,7 +1,6 @@
 #include "data/builtin/teapot.h"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 

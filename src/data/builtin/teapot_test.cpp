@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "data/mesh/mesh_topology_testing.h"
+#include "data/mesh/testing/mesh_topology_testing.h"
 
 namespace aeolic {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "data/cells/volume_testing.h"
+#include "data/cells/testing/volume_testing.h"
 
 namespace aeolic {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "data/cells/volume_testing.h"
+#include "data/cells/testing/volume_testing.h"
 
 namespace aeolic {
 namespace {

@@ -1,7 +1,6 @@
 #include "data/cells/near_wall.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -155,9 +154,7 @@ WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler,
     values.atRest.resize(mesh.positions.size());
     if (lookup.scalar || lookup.length || lookup.shearLength) values.scalars.resize(mesh.positions.size());
     const Lookup single(sampler, lookup);
-    std::atomic<std::int64_t> inside{0};
     parallelRanges(mesh.positions.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        std::int64_t mine = 0;
         for (std::size_t i = begin; i < end; ++i) {
             const Found found =
                 single.at(mesh.originWorld + glm::dvec3(mesh.positions[i]), glm::dvec3(mesh.normals[i]));
@@ -165,11 +162,9 @@ WallValues lookUpNearWall(const SurfaceMesh& mesh, const VolumeSampler& sampler,
             if (!values.scalars.empty()) values.scalars[i] = float(found.scalar);
             values.within[i] = found.inside;
             values.atRest[i] = found.atRest;
-            mine += found.inside;
         }
-        inside += mine;
     });
-    values.inside = inside;
+    values.inside = std::ranges::count(values.within, char(true));
     return values;
 }
 
@@ -200,23 +195,17 @@ std::vector<double> lookUpReach(const SurfaceMesh& mesh, const VolumeSampler& sa
 
 std::int64_t pointsTowardsVolume(const SurfaceMesh& mesh, const VolumeSampler& sampler)
 {
-    std::atomic<std::int64_t> more{0};
-    parallelRanges(mesh.positions.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        std::int64_t mine = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-            const glm::dvec3 point = mesh.originWorld + glm::dvec3(mesh.positions[i]), normal(mesh.normals[i]);
-            CellPlace place;
-            if (!sampler.find(point, normal, place)) continue;
-            const glm::dvec3 start = inVolume(sampler, point, place),
-                             off = 0.5 * sampler.heightOver(place, start, normal) * normal;
-            const auto flows = [&](const glm::dvec3& at) {
-                return sampler.findWithin(at, place) && std::isfinite(glm::length(sampler.vectorAt(place)));
-            };
-            mine += int(flows(start + off)) - int(flows(start - off));
-        }
-        more += mine;
+    return parallelSum(mesh.positions.size(), kGrain, [&](std::size_t i) {
+        const glm::dvec3 point = mesh.originWorld + glm::dvec3(mesh.positions[i]), normal(mesh.normals[i]);
+        CellPlace place;
+        if (!sampler.find(point, normal, place)) return 0;
+        const glm::dvec3 start = inVolume(sampler, point, place),
+                         off = 0.5 * sampler.heightOver(place, start, normal) * normal;
+        const auto flows = [&](const glm::dvec3& at) {
+            return sampler.findWithin(at, place) && std::isfinite(glm::length(sampler.vectorAt(place)));
+        };
+        return int(flows(start + off)) - int(flows(start - off));
     });
-    return more;
 }
 
 bool longerThanCell(const VolumeSampler& sampler, const glm::dvec3& a, const glm::dvec3& b)

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "data/cells/near_wall.h"
-#include "data/cells/volume_testing.h"
+#include "data/cells/testing/volume_testing.h"
 
 /// A sheet at y = 0 within a volume whose cells are fine on one side and coarse on the other.
 namespace aeolic {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "data/cells/refine.h"
-#include "data/cells/volume_testing.h"
+#include "data/cells/testing/volume_testing.h"
 
 namespace aeolic {
 namespace {

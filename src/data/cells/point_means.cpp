@@ -29,9 +29,7 @@ void withMembers(Means& means, const Visit& visit)
 
 Bytes messageOf(const PointMeans& means)
 {
-    ByteWriter writer;
-    writer.add(means);
-    return writer.take();
+    return byteMessage(means);
 }
 
 PointMeans meansOf(std::span<const std::byte> message)

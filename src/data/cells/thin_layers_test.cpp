@@ -7,7 +7,7 @@
 
 #include "data/cells/near_surface.h"
 #include "data/cells/near_wall.h"
-#include "data/cells/volume_testing.h"
+#include "data/cells/testing/volume_testing.h"
 
 /// Walls of coarse facets, with cells beside them that are up to ten thousand times as wide as high. Heights and
 /// distances count from the facets, however the normals on them lean.

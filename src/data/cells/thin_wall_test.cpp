@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "data/cells/near_wall.h"
-#include "data/cells/volume_testing.h"
+#include "data/cells/testing/volume_testing.h"
 
 /// A wall without thickness between two volumes that share no point: each of its sides has its own cells.
 namespace aeolic {

@@ -15,9 +15,7 @@ void withMembers(Cells& cells, const Visit& visit)
 
 Bytes messageOf(const VolumeCells& cells)
 {
-    ByteWriter writer;
-    writer.add(cells);
-    return writer.take();
+    return byteMessage(cells);
 }
 
 void appendCells(std::span<const std::byte> message, VolumeCells& cells)

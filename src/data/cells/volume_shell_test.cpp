@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "base/byte_message.h"
+#include "data/cells/testing/volume_testing.h"
 #include "data/cells/volume_message.h"
-#include "data/cells/volume_testing.h"
 
 namespace aeolic {
 namespace {

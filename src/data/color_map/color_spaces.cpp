@@ -7,31 +7,15 @@
 namespace aeolic {
 namespace {
 
-using Triple = std::array<double, 3>;
+using Triple = ColorTriple;
 
 constexpr double kWhite[3] = {0.9505, 1, 1.089};  // D65, Y = 1.
-
-double linearOf(double encoded)
-{
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-double encodedOf(double linear)
-{
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-Triple times(const double (&m)[3][3], const Triple& v)
-{
-    Triple out{};
-    for (std::size_t i = 0; i < 3; ++i) out[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
-    return out;
-}
 
 Triple labOf(const Triple& rgb)
 {
     constexpr double xyzFromRgb[3][3] = {{0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}};
     const auto f = [](double t) { return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116; };
-    const Triple xyz = times(xyzFromRgb, {linearOf(rgb[0]), linearOf(rgb[1]), linearOf(rgb[2])});
+    const Triple xyz = times(xyzFromRgb, {linearOfSrgb(rgb[0]), linearOfSrgb(rgb[1]), linearOfSrgb(rgb[2])});
     const double x = f(xyz[0] / kWhite[0]), y = f(xyz[1] / kWhite[1]), z = f(xyz[2] / kWhite[2]);
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
@@ -46,7 +30,7 @@ Triple rgbOfLab(const Triple& lab)
     const double y = (lab[0] + 16) / 116;
     Triple rgb = times(rgbFromXyz, {kWhite[0] * inverse(y + lab[1] / 500), kWhite[1] * inverse(y),
                                     kWhite[2] * inverse(y - lab[2] / 200)});
-    for (double& v : rgb) v = encodedOf(v);
+    for (double& v : rgb) v = srgbOfLinear(v);
     return rgb;
 }
 
@@ -126,6 +110,22 @@ Triple hsvBetween(const Triple& from, const Triple& to, double t, bool wrapped)
 }
 
 }  // namespace
+
+double linearOfSrgb(double encoded)
+{
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+double srgbOfLinear(double linear)
+{
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+ColorTriple times(const double (&m)[3][3], const ColorTriple& v)
+{
+    ColorTriple out{};
+    for (std::size_t i = 0; i < 3; ++i) out[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
+    return out;
+}
 
 Color between(const Triple& from, const Triple& to, double t, ColorSpace space)
 {

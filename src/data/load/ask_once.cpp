@@ -13,12 +13,7 @@ Bytes ofFirstOnHost(Agreement& agreement, const Bytes& mine)
 {
     // The others do not know its length, so it stands in front.
     const bool gives = agreement.isFirstOnHost();
-    std::shared_ptr<Bytes> framed;
-    if (gives) {
-        ByteWriter writer;
-        writer.add(mine);
-        framed = std::make_shared<Bytes>(writer.take());
-    }
+    const std::shared_ptr<Bytes> framed = gives ? std::make_shared<Bytes>(byteMessage(mine)) : nullptr;
     const std::shared_ptr<const void> given = agreement.shareOnHost(
         gives ? std::shared_ptr<const void>(framed, framed->data()) : nullptr, gives ? framed->size() : 0);
     const auto* bytes = static_cast<const std::byte*>(given.get());

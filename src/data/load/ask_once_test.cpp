@@ -11,7 +11,7 @@
 #include "cluster/composite/communicator_agreement.h"
 #include "data/reading/file_questions.h"
 #include "data/reading/known_answers.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "ranks/thread_communicator.h"
 
 namespace aeolic {

@@ -69,14 +69,9 @@ std::optional<glm::dvec3> vectorIn(const Scene& scene, const std::vector<char>& 
 
 std::int64_t areaOf(const Scene& scene)
 {
-    std::atomic<std::int64_t> area{0};
     const double perArea = stepsPerArea(scene);
-    parallelRanges(scene.surface.triangles.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        std::int64_t part = 0;
-        for (std::size_t i = begin; i < end; ++i) part += facetOf(scene.surface, i, perArea).area;
-        area += part;
-    });
-    return area;
+    return parallelSum(scene.surface.triangles.size(), 4096,
+                       [&](std::size_t i) { return facetOf(scene.surface, i, perArea).area; });
 }
 
 std::int64_t areaOfTriangle(const Scene& scene, std::size_t triangle)

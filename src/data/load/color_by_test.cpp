@@ -5,7 +5,7 @@
 
 #include "aeolic/error.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "describe_testing.h"
 
 /// Which array a surface is coloured by: its own or the field's.

@@ -8,7 +8,7 @@
 
 #include "aeolic/error.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "describe_testing.h"
 
 /// Components of vectors to colour by, and arrays that stand on points and on cells.

@@ -11,11 +11,11 @@
 #include "data/fingerprint.h"
 #include "data/load/loaded_scene.h"
 #include "data/load/split.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "describe_testing.h"
 #include "load_testing.h"
 #include "pieces_testing.h"
-#include "reader/openfoam/sample_case.h"
+#include "reader/openfoam/testing/sample_case.h"
 #include "slab_pieces_testing.h"
 
 /// Ranks read for each other: files in pieces are dealt to them, and whole files are read once.

@@ -23,9 +23,7 @@ FieldFacts unitedFacts(const Grids& own, Agreement& agreement)
         FieldFacts facts = own.front()->facts();
         for (const auto& piece : own)
             for (const Tally& tally : piece->tallies()) addTally(facts.tallies, tally);
-        ByteWriter writer;
-        writer.add(facts);
-        message = writer.take();
+        message = byteMessage(facts);
     });
     FieldFacts all;
     bool found = false;

@@ -12,7 +12,6 @@
 #include "base/number_near.h"
 #include "data/load/proposed_commands.h"
 #include "data/load/series/time_series.h"
-#include "data/named_file.h"
 #include "data/reading/file_questions.h"
 #include "data/reading/reader_pool.h"
 #include "description/builtin_names.h"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "aeolic/error.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "test_paths.h"
 
 namespace aeolic {

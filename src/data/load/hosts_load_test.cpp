@@ -6,7 +6,7 @@
 
 #include "aeolic/error.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "load_testing.h"
 #include "pieces_testing.h"
 

@@ -5,7 +5,7 @@
 
 #include "aeolic/error.h"
 #include "data/load/scene_sizes.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "load_testing.h"
 
 /// A field read in bricks: every rank its part, with the bits of the whole.

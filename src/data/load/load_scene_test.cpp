@@ -6,7 +6,7 @@
 #include "aeolic/error.h"
 #include "base/half.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "describe_testing.h"
 #include "test_paths.h"
 

@@ -16,9 +16,9 @@
 #include "aeolic/error.h"
 #include "data/load/loaded_scene.h"
 #include "data/loaded_surface.h"
-#include "data/vtk/sample_files.h"
 #include "data/vtk/surface/polydata_mesh.h"
 #include "data/vtk/surface/surface_file.h"
+#include "data/vtk/testing/sample_files.h"
 
 namespace aeolic {
 namespace {

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
-#include <utility>
 
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
 #include "data/load/memory_model.h"
 #include "data/load/scene_sources.h"
 #include "data/named_file.h"
-#include "data/part_choice.h"
 #include "data/reading/file_questions.h"
 #include "data/vtk/grid/grid_outline.h"
 #include "description/color_by.h"

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "aeolic/error.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "describe_testing.h"
 #include "load_testing.h"
 #include "sparse_grid_testing.h"

@@ -7,7 +7,6 @@
 #include "data/builtin/flows.h"
 #include "data/builtin/surfaces.h"
 #include "data/named_file.h"
-#include "data/part_choice.h"
 #include "data/reading/file_questions.h"
 
 namespace aeolic {

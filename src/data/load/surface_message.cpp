@@ -137,9 +137,7 @@ void withMembers(Surface& surface, const Visit& visit)
 
 Bytes messageOf(const LoadedSurface& surface)
 {
-    ByteWriter writer;
-    writer.add(surface);
-    return writer.take();
+    return byteMessage(surface);
 }
 
 LoadedSurface surfaceOf(std::span<const std::byte> message)

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "describe_testing.h"
 #include "load_testing.h"
 #include "pieces_testing.h"

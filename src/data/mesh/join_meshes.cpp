@@ -1,6 +1,5 @@
 #include "data/mesh/join_meshes.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace aeolic {

@@ -1,7 +1,9 @@
 #include "data/mesh/mesh_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "base/parallel.h"
@@ -32,6 +34,26 @@ void linkBucket(EdgeEntry* begin, EdgeEntry* end, std::vector<std::uint32_t>& ne
         next[last->halfEdge] = first->halfEdge;
         first = last + 1;
     }
+}
+
+/// [points] The first of those in the same place, which may be the point itself.
+std::vector<std::uint32_t> firstsOfPlaces(const std::vector<glm::vec3>& positions)
+{
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+        const glm::vec3 &p = positions[a], &q = positions[b];
+        if (p.x != q.x) return p.x < q.x;
+        if (p.y != q.y) return p.y < q.y;
+        if (p.z != q.z) return p.z < q.z;
+        return a < b;
+    };
+    std::vector<std::uint32_t> sorted(positions.size()), first(positions.size());
+    std::iota(sorted.begin(), sorted.end(), 0u);
+    std::sort(sorted.begin(), sorted.end(), before);
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const bool again = i > 0 && positions[sorted[i]] == positions[sorted[i - 1]];
+        first[sorted[i]] = again ? first[sorted[i - 1]] : sorted[i];
+    }
+    return first;
 }
 
 }  // namespace
@@ -65,6 +87,28 @@ std::vector<std::uint32_t> ringEdges(const std::vector<Triangle>& triangles, std
         }
     });
     return next;
+}
+
+std::vector<double> cornerAngles(const std::vector<Triangle>& triangles, const std::vector<glm::vec3>& positions)
+{
+    std::vector<double> angles(3 * triangles.size());
+    parallelRanges(triangles.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto at = [&](std::size_t i) { return glm::dvec3(positions[triangles[t][i % 3]]); };
+                const glm::dvec3 a = at(k + 1) - at(k), b = at(k + 2) - at(k);
+                angles[3 * t + k] = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+            }
+    });
+    return angles;
+}
+
+std::vector<Triangle> joinedTriangles(std::vector<Triangle> triangles, const std::vector<glm::vec3>& positions)
+{
+    const std::vector<std::uint32_t> first = firstsOfPlaces(positions);
+    for (Triangle& triangle : triangles)
+        for (std::uint32_t& point : triangle) point = first[point];
+    return triangles;
 }
 
 }  // namespace aeolic

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
 namespace aeolic {
@@ -19,5 +20,11 @@ inline std::uint32_t nextInTriangle(std::uint32_t halfEdge)
 /// Indices must be below `points`; at most 2^32 / 3 triangles, else std::length_error. Cost: O(triangles), parallel
 /// sorts of a handful of entries each.
 std::vector<std::uint32_t> ringEdges(const std::vector<Triangle>& triangles, std::size_t points);
+
+/// [3 triangles] The angles at the corners, in radians. Those of a polygon's triangles add up to its own.
+std::vector<double> cornerAngles(const std::vector<Triangle>& triangles, const std::vector<glm::vec3>& positions);
+
+/// The triangles with one index for points in the same place, the first of them. Cost: a sort.
+std::vector<Triangle> joinedTriangles(std::vector<Triangle> triangles, const std::vector<glm::vec3>& positions);
 
 }  // namespace aeolic

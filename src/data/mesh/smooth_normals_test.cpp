@@ -9,7 +9,7 @@
 
 #include "data/builtin/surfaces.h"
 #include "data/mesh/mesh_tools.h"
-#include "data/mesh/mesh_topology_testing.h"
+#include "data/mesh/testing/mesh_topology_testing.h"
 
 namespace aeolic {
 namespace {

@@ -1,10 +1,8 @@
 #include "data/reading/file_questions.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
-#include "aeolic/error.h"
 #include "data/named_file.h"
 #include "data/reading/known_answers.h"
 #include "data/reading/reader_pool.h"
@@ -14,11 +12,6 @@ namespace {
 
 constexpr std::size_t kMostPieces = 1 << 20;
 constexpr std::uint64_t kLargestPiece = std::uint64_t(1) << 43;  // Bytes. Those of all can be added up.
-
-[[noreturn]] void failNonsense(const std::string& path)
-{
-    throw InputError(path, "the reader's answer makes no sense", "an undamaged file");
-}
 
 /// From a reader, or as one answered before.
 Bytes answerTo(const Bytes& request, const std::string& path, const char* what)
@@ -36,17 +29,8 @@ Value answerTo(Question question, const std::string& path, const char* what, con
                FileUse use = FileUse::any)
 {
     std::error_code error;
-    ByteWriter message;
-    message.add(LookRequest{std::filesystem::current_path(error).string(), path, question, use, words});
-    const Bytes text = answerTo(message.take(), path, what);
-    ByteReader answer(text);
-    try {
-        Value value{};
-        answer.read(value);
-        return value;
-    } catch (const std::runtime_error&) {
-        failNonsense(path);
-    }
+    const LookRequest request{std::filesystem::current_path(error).string(), path, question, use, words};
+    return valueIn<Value>(answerTo(byteMessage(request), path, what), path);
 }
 
 std::vector<std::uint64_t> pieces(const std::string& path, FileUse use, const std::vector<std::string>& parts = {})

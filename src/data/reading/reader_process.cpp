@@ -124,6 +124,11 @@ std::uint64_t bytesRead(pid_t pid)
 
 }  // namespace
 
+void failNonsense(const std::string& path)
+{
+    throw InputError(path, "the reader's answer makes no sense", "an undamaged file");
+}
+
 double readerPatience()
 {
     const char* text = std::getenv("AEOLIC_READER_SECONDS");

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/byte_message.h"
 #include "data/progress.h"
 #include "data/reading/packet_socket.h"
 #include "data/reading/shared_memory.h"
@@ -63,6 +64,23 @@ private:
     OwnedFile words_;     // What its libraries say to standard output and standard error.
     long toldWords_ = 0;  // Bytes of it that tellReaderWords() has got.
 };
+
+/// Throws InputError: a reader's answer about the file makes no sense.
+[[noreturn]] void failNonsense(const std::string& path);
+
+/// The value in a reader's answer about the file.
+template <class Value>
+Value valueIn(const Bytes& answer, const std::string& path)
+{
+    try {
+        ByteReader message(answer);
+        Value value{};
+        message.read(value);
+        return value;
+    } catch (const std::runtime_error&) {
+        failNonsense(path);
+    }
+}
 
 /// How long a reader may make no progress, in seconds: AEOLIC_READER_SECONDS, or 60. Progress is what it tells, and
 /// bytes that it reads.

@@ -15,7 +15,7 @@
 #include "aeolic/error.h"
 #include "data/reading/reader_words.h"
 #include "data/vtk/file_reader.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 namespace aeolic {
 namespace {

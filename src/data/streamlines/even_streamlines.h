@@ -2,15 +2,11 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <memory>
 #include <vector>
 
-#include "data/mesh/surface_mesh.h"
-#include "data/topology/surface_place.h"
+#include "data/streamlines/streamline_surface.h"
 
 namespace aeolic {
-
-class StreamlineSurface;
 
 /// A place on a streamline.
 struct StreamlinePoint {
@@ -48,7 +44,6 @@ public:
     /// `vectors`: [points of the mesh], in the world's axes; NaN where nothing flows. Cost: O(triangles), parallel.
     /// `levelWorld`: some level has this spacing, world units, where it is above 0.
     EvenStreamlines(SurfaceMesh mesh, std::vector<glm::vec3> vectors, double levelWorld = 0);
-    ~EvenStreamlines();
 
     /// Makes levels up to this one, as long as canRefine(). Cost: about that of the triangles which new lines pass, and
     /// of the samples of all lines, a quarter of the spacing apart.
@@ -56,9 +51,9 @@ public:
 
     /// The unit of lengths: a power of two, near the surface's size, which is the diagonal of the box of all that has
     /// flow. So nothing is too large or too small for floats.
-    double unitWorld() const;
+    double unitWorld() const { return surface_.unitWorld(); }
 
-    const StreamlineSurface& surface() const { return *surface_; }
+    const StreamlineSurface& surface() const { return surface_; }
 
     /// In that unit. Level 0 has the spacing of a sixth of the surface's size, or the next to that.
     double spacing(int level) const;
@@ -74,7 +69,7 @@ public:
     static constexpr int kMostLevels = 24;
 
 private:
-    std::unique_ptr<const StreamlineSurface> surface_;
+    const StreamlineSurface surface_;
     double coarsest_ = 0;  // The spacing of level 0.
     std::vector<glm::vec3> places_;
     std::vector<EvenStreamline> lines_;

@@ -45,8 +45,8 @@ StreamlineSurface::StreamlineSurface(SurfaceMesh mesh, std::vector<glm::vec3> ve
     : mesh_(bare(std::move(mesh))),
       fans_(surfaceFans(mesh_)),
       flow_(flowOf(mesh_, fans_, std::move(vectors))),
-      along_(mesh_, fans_, flow_),
-      across_(mesh_, fans_, flow_, Along::acrossFlow),
+      along_({mesh_, fans_, flow_}),
+      across_({mesh_, fans_, flow_}, Along::acrossFlow),
       areas_(mesh_.triangles.size())
 {
     Bounds box;

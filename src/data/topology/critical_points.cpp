@@ -29,20 +29,21 @@ double cross(const glm::dvec2& a, const glm::dvec2& b)
 
 /// By how much the flow turns along a half-edge, more than what is carried along. Opposite for its twin, to the bit:
 /// half a turn would else be counted to the same side twice.
-double rotationRad(const SurfaceFans& fans, const TangentField& field, std::uint32_t h)
+double rotationRad(const FlowSurface& surface, std::uint32_t h)
 {
-    if (const std::uint32_t twin = fans.twin[h]; twin < h) return -rotationRad(fans, field, twin);
-    const double there = field.rad[fans.fanOf[nextInTriangle(h)]], here = field.rad[fans.fanOf[h]];
-    return wrapped(there - here - fans.transportRad(h));
+    if (const std::uint32_t twin = surface.fans.twin[h]; twin < h) return -rotationRad(surface, twin);
+    const double there = surface.field.rad[surface.fans.fanOf[nextInTriangle(h)]],
+                 here = surface.field.rad[surface.fans.fanOf[h]];
+    return wrapped(there - here - surface.fans.transportRad(h));
 }
 
 /// Turns of the flow around a triangle.
-int indexOf(const SurfaceFans& fans, const TangentField& field, std::uint32_t t)
+int indexOf(const FlowSurface& surface, std::uint32_t t)
 {
     double rotation = 0, holonomy = 0;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-        rotation += rotationRad(fans, field, h);
-        holonomy += fans.transportRad(h);
+        rotation += rotationRad(surface, h);
+        holonomy += surface.fans.transportRad(h);
     }
     return int(std::lround((rotation + wrapped(holonomy)) / (2 * kPi)));
 }
@@ -75,41 +76,39 @@ void classify(const FlatTriangle& flat, CriticalPoint& out)
 }
 
 /// Corners of a triangle where the flow is at rest; nothing where the triangle is masked.
-std::optional<std::vector<std::uint32_t>> restingCorners(const SurfaceFans& fans, const TangentField& field,
-                                                         std::uint32_t t)
+std::optional<std::vector<std::uint32_t>> restingCorners(const FlowSurface& surface, std::uint32_t t)
 {
-    if (field.masked[t]) return {};
+    if (surface.field.masked[t]) return {};
     std::vector<std::uint32_t> resting;
     for (std::uint32_t c = 3 * t; c < 3 * t + 3; ++c)
-        if (field.length[fans.fanOf[c]] == 0) resting.push_back(c);
+        if (surface.field.length[surface.fans.fanOf[c]] == 0) resting.push_back(c);
     return resting;
 }
 
 /// Turns of the flow around a point at rest: those around the triangles of its fan, of which the first one tells them.
 /// 0 for the others.
-int indexAt(const SurfaceFans& fans, const TangentField& field, std::uint32_t corner)
+int indexAt(const FlowSurface& surface, std::uint32_t corner)
 {
     int index = 0;
     std::uint32_t first = corner;
-    forEachCorner(fans, fans.fanOf[corner], [&](std::uint32_t c) {
-        const auto resting = restingCorners(fans, field, c / 3);
+    forEachCorner(surface.fans, surface.fans.fanOf[corner], [&](std::uint32_t c) {
+        const auto resting = restingCorners(surface, c / 3);
         if (!resting || resting->size() != 1) return;
-        index += indexOf(fans, field, c / 3);
+        index += indexOf(surface, c / 3);
         first = std::min(first, c);
     });
     return first == corner ? index : 0;
 }
 
-std::optional<CriticalPoint> criticalPointOf(const SurfaceMesh& mesh, const SurfaceFans& fans,
-                                             const TangentField& field, std::uint32_t t)
+std::optional<CriticalPoint> criticalPointOf(const FlowSurface& surface, std::uint32_t t)
 {
-    const auto resting = restingCorners(fans, field, t);
+    const auto resting = restingCorners(surface, t);
     if (!resting || resting->size() > 1) return {};
     CriticalPoint found;
     found.place.triangle = t;
-    found.index = resting->empty() ? indexOf(fans, field, t) : indexAt(fans, field, resting->front());
+    found.index = resting->empty() ? indexOf(surface, t) : indexAt(surface, resting->front());
     if (found.index == 0) return {};
-    const FlatTriangle laid(mesh, fans, field, t);
+    const FlatTriangle laid(surface, t);
     if (resting->empty())
         placeIn(laid, found);
     else
@@ -120,13 +119,13 @@ std::optional<CriticalPoint> criticalPointOf(const SurfaceMesh& mesh, const Surf
 
 }  // namespace
 
-std::vector<CriticalPoint> criticalPoints(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field)
+std::vector<CriticalPoint> criticalPoints(const FlowSurface& surface)
 {
-    const std::size_t triangles = mesh.triangles.size(), runs = (triangles + kGrain - 1) / kGrain;
+    const std::size_t triangles = surface.mesh.triangles.size(), runs = (triangles + kGrain - 1) / kGrain;
     std::vector<std::vector<CriticalPoint>> found(runs);
     parallelFor(runs, [&](std::size_t run) {
         for (std::size_t t = run * kGrain; t < std::min(triangles, (run + 1) * kGrain); ++t)
-            if (const auto point = criticalPointOf(mesh, fans, field, std::uint32_t(t))) found[run].push_back(*point);
+            if (const auto point = criticalPointOf(surface, std::uint32_t(t))) found[run].push_back(*point);
     });
     std::vector<CriticalPoint> all;
     for (const auto& some : found) appendAll(all, some);

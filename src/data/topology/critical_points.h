@@ -25,6 +25,6 @@ struct CriticalPoint {
 /// rotation along its sides, by discrete transport between the points, and what transport itself turns. So on a closed
 /// surface without points at rest the indices sum up to the Euler characteristic. Triangles with a masked corner, or
 /// with more than one at rest, have none. Cost: O(triangles), parallel.
-std::vector<CriticalPoint> criticalPoints(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field);
+std::vector<CriticalPoint> criticalPoints(const FlowSurface& surface);
 
 }  // namespace aeolic

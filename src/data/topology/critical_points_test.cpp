@@ -34,7 +34,7 @@ std::vector<glm::vec3> waves(const SurfaceMesh& mesh, unsigned seed)
 std::vector<CriticalPoint> criticalPointsOf(const SurfaceMesh& mesh, const std::vector<glm::vec3>& vectors)
 {
     const SurfaceFans fans = surfaceFans(mesh);
-    return criticalPoints(mesh, fans, tangentField(mesh, fans, vectors));
+    return criticalPoints({mesh, fans, tangentField(mesh, fans, vectors)});
 }
 
 int sumOfIndices(const std::vector<CriticalPoint>& points)

@@ -7,9 +7,11 @@
 
 namespace aeolic {
 
-FlatTriangle::FlatTriangle(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
-                           std::uint32_t triangle)
+FlatTriangle::FlatTriangle(const FlowSurface& surface, std::uint32_t triangle)
 {
+    const SurfaceMesh& mesh = surface.mesh;
+    const SurfaceFans& fans = surface.fans;
+    const TangentField& field = surface.field;
     constexpr double kPi = std::numbers::pi;
     const auto at = [&](std::size_t i) { return glm::dvec3(mesh.positions[mesh.triangles[triangle][i]]); };
     const double base = glm::length(at(1) - at(0)), last = glm::length(at(2) - at(0));

@@ -13,7 +13,7 @@ namespace aeolic {
 struct FlatTriangle {
     std::array<glm::dvec2, 3> point, flow;
 
-    FlatTriangle(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field, std::uint32_t triangle);
+    FlatTriangle(const FlowSurface& surface, std::uint32_t triangle);
 
     /// With the flow turned by a quarter, counterclockwise.
     FlatTriangle turned() const;

@@ -42,15 +42,14 @@ struct Start {
 
 /// The starts of a saddle that is a point of the mesh. Each triangle around the point has directions of its own, and
 /// takes those that lead into it. A direction along a side belongs to the triangle of which it is the first side.
-std::vector<Start> startsAroundPoint(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
-                                     std::uint32_t corner)
+std::vector<Start> startsAroundPoint(const FlowSurface& surface, std::uint32_t corner)
 {
     constexpr double alongSide = 1e-9;
     std::vector<Start> starts;
-    forEachCorner(fans, fans.fanOf[corner], [&](std::uint32_t c) {
+    forEachCorner(surface.fans, surface.fans.fanOf[corner], [&](std::uint32_t c) {
         const std::uint32_t t = c / 3;
-        if (field.masked[t]) return;
-        const FlatTriangle flat(mesh, fans, field, t);
+        if (surface.field.masked[t]) return;
+        const FlatTriangle flat(surface, t);
         const glm::dmat2 derivative = flat.derivative();
         const std::array<glm::dvec2, 2> along = eigenvectors(derivative);
         const glm::dvec2 point = flat.point[c % 3];
@@ -94,31 +93,29 @@ void addStartsIn(const FlatTriangle& flat, const SurfacePlace& from, std::option
     }
 }
 
-std::vector<Start> startsInTriangle(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
-                                    const SurfacePlace& at)
+std::vector<Start> startsInTriangle(const FlowSurface& surface, const SurfacePlace& at)
 {
     std::vector<Start> starts;
-    addStartsIn(FlatTriangle(mesh, fans, field, at.triangle), at, std::nullopt, true, starts);
+    addStartsIn(FlatTriangle(surface, at.triangle), at, std::nullopt, true, starts);
     return starts;
 }
 
 /// The starts of a saddle on a side, or nearly so: each of the two triangles takes the directions that lead into it.
-std::vector<Start> startsAcrossSide(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
-                                    const SurfacePlace& at, int opposite)
+std::vector<Start> startsAcrossSide(const FlowSurface& surface, const SurfacePlace& at, int opposite)
 {
     std::vector<Start> starts;
     const int first = (opposite + 1) % 3, second = (opposite + 2) % 3;
     glm::dvec3 onSide = at.weight;
     onSide[opposite] = 0;
     onSide /= onSide[first] + onSide[second];
-    addStartsIn(FlatTriangle(mesh, fans, field, at.triangle), {at.triangle, onSide}, opposite, true, starts);
-    const std::uint32_t twin = fans.twin[3 * at.triangle + std::uint32_t(first)];
-    if (twin == SurfaceFans::kNone || field.masked[twin / 3]) return starts;
+    addStartsIn(FlatTriangle(surface, at.triangle), {at.triangle, onSide}, opposite, true, starts);
+    const std::uint32_t twin = surface.fans.twin[3 * at.triangle + std::uint32_t(first)];
+    if (twin == SurfaceFans::kNone || surface.field.masked[twin / 3]) return starts;
     const int begin = int(twin % 3), end = (begin + 1) % 3;  // The side runs the other way round here.
     glm::dvec3 there(0);
     there[begin] = onSide[second];
     there[end] = onSide[first];
-    addStartsIn(FlatTriangle(mesh, fans, field, twin / 3), {twin / 3, there}, (begin + 2) % 3, false, starts);
+    addStartsIn(FlatTriangle(surface, twin / 3), {twin / 3, there}, (begin + 2) % 3, false, starts);
     return starts;
 }
 
@@ -141,21 +138,21 @@ std::optional<std::uint32_t> cornerAt(const SurfacePlace& place)
 
 }  // namespace
 
-std::vector<Separatrix> separatrices(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
-                                     const std::vector<CriticalPoint>& points, double longestWorld)
+std::vector<Separatrix> separatrices(const FlowSurface& surface, const std::vector<CriticalPoint>& points,
+                                     double longestWorld)
 {
     std::vector<std::size_t> saddles;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (points[i].kind == CriticalKind::saddle) saddles.push_back(i);
     std::vector<std::vector<Separatrix>> found(saddles.size());
-    const SurfaceTracer tracer(mesh, fans, field);
+    const SurfaceTracer tracer(surface);
     parallelFor(saddles.size(), [&](std::size_t s) {
         const CriticalPoint& saddle = points[saddles[s]];
         const auto corner = cornerAt(saddle.place);
         const auto side = sideAt(saddle.place);
-        const std::vector<Start> starts = corner ? startsAroundPoint(mesh, fans, field, *corner)
-                                          : side ? startsAcrossSide(mesh, fans, field, saddle.place, *side)
-                                                 : startsInTriangle(mesh, fans, field, saddle.place);
+        const std::vector<Start> starts = corner ? startsAroundPoint(surface, *corner)
+                                          : side ? startsAcrossSide(surface, saddle.place, *side)
+                                                 : startsInTriangle(surface, saddle.place);
         for (const Start& start : starts)
             found[s].push_back({saddles[s], start.direction, tracer.trace(start.place, start.direction, longestWorld)});
     });

@@ -17,7 +17,7 @@ struct Separatrix {
 /// The separatrices that leave each saddle and those that run into it, in the order of the points: two and two, unless
 /// the saddle is a point of the mesh, around which the flow is linear in each triangle by itself. They end where
 /// SurfaceTracer's lines end, and after `longestWorld`. Cost: that of the lines, parallel.
-std::vector<Separatrix> separatrices(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
-                                     const std::vector<CriticalPoint>& points, double longestWorld);
+std::vector<Separatrix> separatrices(const FlowSurface& surface, const std::vector<CriticalPoint>& points,
+                                     double longestWorld);
 
 }  // namespace aeolic

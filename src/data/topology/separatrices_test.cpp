@@ -19,11 +19,11 @@ TEST(Separatrices, OfASaddleOnAPlaneAreItsAxes)
     for (const glm::vec3& p : mesh.positions) vectors.emplace_back(p.x - zero.x, zero.y - p.y, 0.0f);
     const SurfaceFans fans = surfaceFans(mesh);
     const TangentField field = tangentField(mesh, fans, vectors);
-    const std::vector<CriticalPoint> points = criticalPoints(mesh, fans, field);
+    const std::vector<CriticalPoint> points = criticalPoints({mesh, fans, field});
     ASSERT_EQ(points.size(), 1u);
-    const std::vector<Separatrix> lines = separatrices(mesh, fans, field, points, 100);
+    const std::vector<Separatrix> lines = separatrices({mesh, fans, field}, points, 100);
     ASSERT_EQ(lines.size(), 4u);
-    const SurfaceTracer tracer(mesh, fans, field);
+    const SurfaceTracer tracer({mesh, fans, field});
     double ends = 0;
     for (std::size_t k = 0; k < 4; ++k) {
         EXPECT_EQ(lines[k].line.end, LineEnd::boundary);
@@ -62,9 +62,9 @@ TEST(Separatrices, OfASaddleThatLeavesSlowlyAreFound)
                 }
                 const SurfaceFans fans = surfaceFans(mesh);
                 const TangentField field = tangentField(mesh, fans, vectors);
-                const std::vector<CriticalPoint> points = criticalPoints(mesh, fans, field);
+                const std::vector<CriticalPoint> points = criticalPoints({mesh, fans, field});
                 ASSERT_EQ(points.size(), 1u) << slowly;
-                const std::vector<Separatrix> lines = separatrices(mesh, fans, field, points, 100);
+                const std::vector<Separatrix> lines = separatrices({mesh, fans, field}, points, 100);
                 EXPECT_GE(lines.size(), 4u) << slowly << " from " << zero.x << ' ' << zero.y;
                 for (const Separatrix& line : lines)
                     EXPECT_GT(line.line.lengthWorld, 0.3) << slowly << " from " << zero.x << ' ' << zero.y << ", "
@@ -93,11 +93,11 @@ TEST(Separatrices, OfASaddleOnASideLeaveToBothSides)
         }
     const SurfaceFans fans = surfaceFans(mesh);
     const TangentField field = tangentField(mesh, fans, vectors);
-    const std::vector<CriticalPoint> points = criticalPoints(mesh, fans, field);
+    const std::vector<CriticalPoint> points = criticalPoints({mesh, fans, field});
     ASSERT_EQ(points.size(), 1u);
-    const SurfaceTracer tracer(mesh, fans, field);
+    const SurfaceTracer tracer({mesh, fans, field});
     std::vector<glm::dvec3> ends;
-    for (const Separatrix& separatrix : separatrices(mesh, fans, field, points, 100)) {
+    for (const Separatrix& separatrix : separatrices({mesh, fans, field}, points, 100)) {
         EXPECT_EQ(separatrix.line.end, LineEnd::boundary);
         ends.push_back(tracer.positionWorld(separatrix.line.places.back()));
     }
@@ -114,12 +114,12 @@ TEST(Separatrices, RunFromSourcesThroughSaddlesToSinks)
     for (const glm::vec3& p : mesh.positions) vectors.emplace_back(2 * p.x, 0.5f * p.y, 0.3f);
     const SurfaceFans fans = surfaceFans(mesh);
     const TangentField field = tangentField(mesh, fans, vectors);
-    const std::vector<CriticalPoint> points = criticalPoints(mesh, fans, field);
+    const std::vector<CriticalPoint> points = criticalPoints({mesh, fans, field});
     int saddles = 0, nodes = 0;
     for (const CriticalPoint& point : points) point.kind == CriticalKind::saddle ? ++saddles : ++nodes;
     EXPECT_EQ(nodes - saddles, 2);
     EXPECT_GE(saddles, 1);
-    for (const Separatrix& separatrix : separatrices(mesh, fans, field, points, 100))
+    for (const Separatrix& separatrix : separatrices({mesh, fans, field}, points, 100))
         EXPECT_EQ(separatrix.line.end, LineEnd::rest);
 }
 

@@ -1,9 +1,7 @@
 #include "data/topology/sharp_edges.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "base/parallel.h"
@@ -27,23 +25,20 @@ struct LaidPlace {
 /// Lays places on sharp edges at which the flow gathers that is followed in one direction.
 class SharpEdges {
 public:
-    SharpEdges(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field, int direction)
-        : mesh_(mesh), fans_(fans), field_(field), direction_(direction)
-    {
-    }
+    SharpEdges(const FlowSurface& surface, int direction) : surface_(surface), direction_(direction) {}
 
     /// The nearest place on such an edge, of those that begin or end at a corner of the place's triangle, if the place
     /// is beside it: a line that only passes by stays where it is. Nothing where there is none.
     std::optional<LaidPlace> nearestTo(const SurfacePlace& place)
     {
         if (!near_ || near_->triangle != place.triangle) near_ = edgesNear(place.triangle);
-        const glm::dvec3 at = positionWorld(mesh_, place);
+        const glm::dvec3 at = positionWorld(surface_.mesh, place);
         std::optional<LaidPlace> nearest;
         double least = 0;
         for (const std::uint32_t h : near_->halfEdges) {
             const auto laid = laidOn(at, h);
             if (!laid) continue;
-            const double distance = glm::distance(positionWorld(mesh_, laid->place), at);
+            const double distance = glm::distance(positionWorld(surface_.mesh, laid->place), at);
             if (nearest && distance >= least) continue;
             nearest = laid;
             least = distance;
@@ -82,7 +77,7 @@ private:
     {
         Near near{triangle, {}};
         for (std::uint32_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
-            forEachCorner(fans_, fans_.fanOf[corner], [&](std::uint32_t c) {
+            forEachCorner(surface_.fans, surface_.fans.fanOf[corner], [&](std::uint32_t c) {
                 for (const std::uint32_t h : {c, SurfaceFans::previousInTriangle(c)})
                     if (gathers(h)) near.halfEdges.push_back(h);
             });
@@ -100,7 +95,7 @@ private:
     {
         std::vector<glm::dvec3> ways;
         // An edge that gathers has two triangles, of which the one to its left begins with it here.
-        forEachCorner(fans_, fans_.fanOf[corner], [&](std::uint32_t c) {
+        forEachCorner(surface_.fans, surface_.fans.fanOf[corner], [&](std::uint32_t c) {
             if (gathers(c)) ways.push_back(glm::normalize(edge(c)));
         });
         bool bends = false;
@@ -113,7 +108,7 @@ private:
     std::optional<LaidPlace> laidOn(const glm::dvec3& atWorld, std::uint32_t halfEdge) const
     {
         const std::uint32_t end = nextInTriangle(halfEdge);
-        const glm::dvec3 from = positionWorld(mesh_, atCorner(halfEdge)), along = edge(halfEdge);
+        const glm::dvec3 from = positionWorld(surface_.mesh, atCorner(halfEdge)), along = edge(halfEdge);
         const double part = glm::dot(atWorld - from, along) / glm::dot(along, along);
         if (part < 0)
             return meetAtAngle(halfEdge) ? std::optional(LaidPlace{atCorner(halfEdge), halfEdge}) : std::nullopt;
@@ -125,32 +120,31 @@ private:
     }
     glm::dvec3 edge(std::uint32_t halfEdge) const
     {
-        const Triangle& t = mesh_.triangles[halfEdge / 3];
-        return glm::dvec3(mesh_.positions[t[nextInTriangle(halfEdge) % 3]]) -
-               glm::dvec3(mesh_.positions[t[halfEdge % 3]]);
+        const Triangle& t = surface_.mesh.triangles[halfEdge / 3];
+        return glm::dvec3(surface_.mesh.positions[t[nextInTriangle(halfEdge) % 3]]) -
+               glm::dvec3(surface_.mesh.positions[t[halfEdge % 3]]);
     }
-    std::uint32_t pointAt(std::uint32_t corner) const { return fans_.triangles[corner / 3][corner % 3]; }
+    std::uint32_t pointAt(std::uint32_t corner) const { return surface_.fans.triangles[corner / 3][corner % 3]; }
 
     bool gathers(std::uint32_t halfEdge) const
     {
-        const std::uint32_t twin = fans_.twin[halfEdge];
-        if (twin == SurfaceFans::kNone || field_.masked[halfEdge / 3] || field_.masked[twin / 3]) return false;
-        const auto normal = [&](std::uint32_t h) { return glm::normalize(areaVector(mesh_, h / 3)); };
+        const std::uint32_t twin = surface_.fans.twin[halfEdge];
+        if (twin == SurfaceFans::kNone || surface_.field.masked[halfEdge / 3] || surface_.field.masked[twin / 3])
+            return false;
+        const auto normal = [&](std::uint32_t h) { return glm::normalize(areaVector(surface_.mesh, h / 3)); };
         return glm::dot(normal(halfEdge), normal(twin)) < kSharp && runsTo(halfEdge) && runsTo(twin);
     }
 
     /// Whether the flow at the triangle's other corner runs to a side.
     bool runsTo(std::uint32_t halfEdge) const
     {
-        const FlatTriangle flat(mesh_, fans_, field_, halfEdge / 3);
+        const FlatTriangle flat(surface_, halfEdge / 3);
         const glm::dvec2 side = flat.point[nextInTriangle(halfEdge) % 3] - flat.point[halfEdge % 3],
                          flow = flat.flow[SurfaceFans::previousInTriangle(halfEdge) % 3];
         return direction_ * glm::dot(flow, glm::dvec2(side.y, -side.x)) > 0;  // The triangle is to its left.
     }
 
-    const SurfaceMesh& mesh_;
-    const SurfaceFans& fans_;
-    const TangentField& field_;
+    const FlowSurface surface_;
     int direction_;
     std::optional<Near> near_;  // Of the place before: lines have several in a triangle.
 };
@@ -190,17 +184,16 @@ bool mayGather(const CriticalPoint& point, int direction)
 
 }  // namespace
 
-void layOnSharpEdges(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
-                     SurfaceTopology& topology)
+void layOnSharpEdges(const FlowSurface& surface, SurfaceTopology& topology)
 {
     parallelFor(topology.lines.size(), [&](std::size_t i) {
         TopologyLine& line = topology.lines[i];
-        line.places = laid(SharpEdges(mesh, fans, field, line.direction), line.places);
+        line.places = laid(SharpEdges(surface, line.direction), line.places);
     });
     for (CriticalPoint& point : topology.points)
         for (const int direction : {1, -1}) {
             if (!mayGather(point, direction)) continue;
-            SharpEdges edges(mesh, fans, field, direction);
+            SharpEdges edges(surface, direction);
             const auto found = edges.nearestTo(point.place);
             if (!found) continue;
             const auto corner = edges.cornerBeside(point.place);
@@ -209,8 +202,8 @@ void layOnSharpEdges(const SurfaceMesh& mesh, const SurfaceFans& fans, const Tan
         }
     for (TopologyLine& line : topology.lines) {
         line.places.front() = topology.points[line.saddle].place;
-        if (line.other) endAt(mesh, topology.points[*line.other].place, line.places);
-        line.lengthWorld = lengthWorld(mesh, line.places);
+        if (line.other) endAt(surface.mesh, topology.points[*line.other].place, line.places);
+        line.lengthWorld = lengthWorld(surface.mesh, line.places);
     }
 }
 

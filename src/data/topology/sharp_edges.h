@@ -8,7 +8,6 @@ namespace aeolic {
 /// runs to it from both sides, or, for lines of attachment, comes from it. Such an edge is the line. But a point of the
 /// mesh on it has one vector, which cannot point to the edge from both sides; so the place where the flow turns round
 /// is found a part of a triangle beside it. Cost: O(places).
-void layOnSharpEdges(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
-                     SurfaceTopology& topology);
+void layOnSharpEdges(const FlowSurface& surface, SurfaceTopology& topology);
 
 }  // namespace aeolic

@@ -36,7 +36,7 @@ TEST(SharpEdges, ALineWhereTheFlowOfBothSidesMeetsIsTheEdge)
 {
     for (const float direction : {1.0f, -1.0f}) {
         const Roof sharp = roof(1, direction);
-        const SurfaceTopology topology = surfaceTopology(sharp.mesh, sharp.vectors, {.persistence = 0});
+        const SurfaceTopology topology = surfaceTopology(sharp.mesh, sharp.vectors, 0);
         ASSERT_EQ(topology.points.size(), 1u);
         EXPECT_EQ(topology.points[0].kind, CriticalKind::saddle);
         const glm::dvec3 saddle = positionWorld(sharp.mesh, topology.points[0].place);
@@ -73,7 +73,7 @@ TEST(SharpEdges, ALineThatLeavesTheEdgeGoesOn)
         if (at.y > 3) sharp.vectors[i] = glm::vec3(1, 0.2f * (at.y - 0.37f), at.x < 0 ? 1 : at.x > 0 ? -1 : 0);
     }
     int crossed = 0;
-    for (const TopologyLine& line : surfaceTopology(sharp.mesh, sharp.vectors, {.persistence = 0}).lines) {
+    for (const TopologyLine& line : surfaceTopology(sharp.mesh, sharp.vectors, 0).lines) {
         double lengthWorld = 0;
         for (std::size_t i = 1; i < line.places.size(); ++i) {
             const glm::dvec3 at = positionWorld(sharp.mesh, line.places[i]);
@@ -92,7 +92,7 @@ TEST(SharpEdges, AFlatEdgeIsNone)
 {
     const Roof flat = roof(0.2f, 1);
     double off = 0;
-    for (const TopologyLine& line : surfaceTopology(flat.mesh, flat.vectors, {.persistence = 0}).lines)
+    for (const TopologyLine& line : surfaceTopology(flat.mesh, flat.vectors, 0).lines)
         for (const SurfacePlace& place : line.places)
             if (line.direction > 0) off = std::max(off, std::abs(positionWorld(flat.mesh, place).x));
     EXPECT_GT(off, 0.1);

@@ -1,30 +1,15 @@
 #include "data/topology/surface_fans.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/parallel.h"
-#include "data/mesh/same_points.h"
 
 namespace aeolic {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
 constexpr double kPi = std::numbers::pi;
-
-void measureCorners(const std::vector<glm::vec3>& positions, SurfaceFans& fans)
-{
-    fans.cornerRad.resize(3 * fans.triangles.size());
-    parallelRanges(fans.triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t)
-            for (std::size_t i = 0; i < 3; ++i) {
-                const auto at = [&](std::size_t k) { return glm::dvec3(positions[fans.triangles[t][k % 3]]); };
-                const glm::dvec3 next = at(i + 1) - at(i), last = at(i + 2) - at(i);
-                fans.cornerRad[3 * t + i] = std::atan2(glm::length(glm::cross(next, last)), glm::dot(next, last));
-            }
-    });
-}
 
 /// Half-edges of one edge: two that run in opposite directions belong together.
 void findTwins(std::size_t points, SurfaceFans& fans)
@@ -86,8 +71,8 @@ double SurfaceFans::transportRad(std::uint32_t halfEdge) const
 SurfaceFans surfaceFans(const SurfaceMesh& mesh)
 {
     SurfaceFans fans;
-    fans.triangles = joinedTriangles(mesh);
-    measureCorners(mesh.positions, fans);
+    fans.triangles = joinedTriangles(mesh.triangles, mesh.positions);
+    fans.cornerRad = cornerAngles(fans.triangles, mesh.positions);
     findTwins(mesh.positions.size(), fans);
     const std::size_t corners = 3 * fans.triangles.size();
     fans.fanOf.assign(corners, SurfaceFans::kNone);

@@ -14,6 +14,8 @@ namespace {
 
 /// A line ends at a critical point that is no farther from its end than so many times the side of the triangle there.
 constexpr double kNearSides = 1.5;
+/// Lines are no longer than this many times the surface's size.
+constexpr double kLongest = 4;
 
 double sideOf(const SurfaceMesh& mesh, std::uint32_t triangle)
 {
@@ -63,18 +65,18 @@ private:
     std::vector<End> ends_;
 };
 
-std::vector<TopologyLine> linesOf(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
-                                  const std::vector<CriticalPoint>& points, double longestWorld)
+std::vector<TopologyLine> linesOf(const FlowSurface& surface, const std::vector<CriticalPoint>& points,
+                                  double longestWorld)
 {
-    const Ends ends(mesh, points);
+    const Ends ends(surface.mesh, points);
     std::vector<TopologyLine> lines;
-    for (const Separatrix& separatrix : separatrices(mesh, fans, field, points, longestWorld)) {
+    for (const Separatrix& separatrix : separatrices(surface, points, longestWorld)) {
         TopologyLine line{separatrix.saddle, {}, separatrix.direction, 0, {}};
         line.places.push_back(points[separatrix.saddle].place);
         appendAll(line.places, separatrix.line.places);
         line.other = ends.of(separatrix.line);
         if (line.other) line.places.push_back(points[*line.other].place);
-        line.lengthWorld = lengthWorld(mesh, line.places);
+        line.lengthWorld = lengthWorld(surface.mesh, line.places);
         lines.push_back(std::move(line));
     }
     return lines;
@@ -186,17 +188,17 @@ double sizeWithFlow(const SurfaceMesh& mesh, const std::vector<glm::vec3>& vecto
 
 }  // namespace
 
-SurfaceTopology surfaceTopology(const SurfaceMesh& mesh, const std::vector<glm::vec3>& vectors,
-                                const TopologyOptions& options)
+SurfaceTopology surfaceTopology(const SurfaceMesh& mesh, const std::vector<glm::vec3>& vectors, double persistence)
 {
     const SurfaceFans fans = surfaceFans(mesh);
     const TangentField field = tangentField(mesh, fans, vectors);
+    const FlowSurface surface{mesh, fans, field};
     const double size = sizeWithFlow(mesh, vectors);
     SurfaceTopology topology;
-    topology.points = criticalPoints(mesh, fans, field);
-    topology.lines = linesOf(mesh, fans, field, topology.points, options.longest * size);
-    Cancellation(topology, options.persistence * size, options.longest * size).run();
-    layOnSharpEdges(mesh, fans, field, topology);
+    topology.points = criticalPoints(surface);
+    topology.lines = linesOf(surface, topology.points, kLongest * size);
+    Cancellation(topology, persistence * size, kLongest * size).run();
+    layOnSharpEdges(surface, topology);
     return topology;
 }
 

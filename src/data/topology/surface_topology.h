@@ -27,22 +27,17 @@ struct SurfaceTopology {
     std::vector<TopologyLine> lines;
 };
 
-struct TopologyOptions {
-    /// A saddle and a point that it is joined with cancel each other where they are no farther apart along the line
-    /// than this, as a part of the surface's size (the diagonal of the box of the points that have flow): so noise of
-    /// the data goes. 0: all stay.
-    double persistence = 0.01;
-    /// Lines are no longer than this many times that size.
-    double longest = 4;
-};
-
 /// The topology of the flow on a surface. `vectors`: [points of the mesh], in the world's axes. Only what lies in the
 /// surface counts. Cost: O(triangles), and that of the lines; parallel. The same from any number of threads.
 ///
 /// Pairs cancel in the order of their distance, the least first (in the manner of Morse complexes: Edelsbrunner, Harer
 /// and Zomorodian, "Hierarchical Morse-Smale complexes", DCG 30, 2003). A line that came to one of a pair goes on
 /// along the line between them and along the saddle's other line.
+///
+/// `persistence`: a saddle and a point that it is joined with cancel each other where they are no farther apart along
+/// the line than this, as a part of the surface's size (the diagonal of the box of the points that have flow): so noise
+/// of the data goes. 0: all stay.
 SurfaceTopology surfaceTopology(const SurfaceMesh& mesh, const std::vector<glm::vec3>& vectors,
-                                const TopologyOptions& options = {});
+                                double persistence = 0.01);
 
 }  // namespace aeolic

@@ -33,8 +33,7 @@ TEST(SurfaceTopology, NoiseCancels)
 {
     const SurfaceMesh sphere = makeBuiltinSurface("sphere:5000");
     const std::vector<glm::vec3> vectors = fromPoleToPole(sphere, 0.5f);
-    const SurfaceTopology all = surfaceTopology(sphere, vectors, {.persistence = 0}),
-                          kept = surfaceTopology(sphere, vectors, {.persistence = 0.1});
+    const SurfaceTopology all = surfaceTopology(sphere, vectors, 0), kept = surfaceTopology(sphere, vectors, 0.1);
     EXPECT_GT(all.points.size(), 20u);
     EXPECT_LE(kept.points.size(), all.points.size() / 3);
     EXPECT_EQ(sumOfIndices(all), 2);
@@ -151,7 +150,7 @@ TEST(SurfaceTopology, AMaskedTriangleStaysMasked)
 TEST(SurfaceTopology, MuchNoiseCancels)
 {
     const SurfaceMesh sphere = makeBuiltinSurface("sphere:60000");
-    const SurfaceTopology topology = surfaceTopology(sphere, fromPoleToPole(sphere, 3), {.persistence = 0.05});
+    const SurfaceTopology topology = surfaceTopology(sphere, fromPoleToPole(sphere, 3), 0.05);
     EXPECT_EQ(sumOfIndices(topology), 2);
 }
 

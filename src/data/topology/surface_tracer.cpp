@@ -92,7 +92,7 @@ glm::dvec3 steppedToSide(const FlatTriangle& flat, const glm::dvec3& from, doubl
 
 FlatTriangle SurfaceTracer::flat(std::uint32_t triangle) const
 {
-    const FlatTriangle found(mesh_, fans_, field_, triangle);
+    const FlatTriangle found(surface_, triangle);
     return along_ == Along::flow ? found : found.turned();
 }
 
@@ -110,7 +110,7 @@ bool SurfaceTracer::add(Walk& walk) const
 std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk) const
 {
     const std::uint32_t t = walk.at.triangle;
-    if (field_.masked[t]) {
+    if (surface_.field.masked[t]) {
         walk.end = LineEnd::masked;
         return {};
     }
@@ -147,16 +147,18 @@ std::optional<std::uint32_t> SurfaceTracer::walkThrough(Walk& walk) const
 /// Goes through the point at a corner of the walk's triangle.
 bool SurfaceTracer::passPoint(Walk& walk, std::uint32_t corner) const
 {
-    const std::uint32_t fan = fans_.fanOf[corner];
-    if (!(field_.length[fan] > 0)) return walk.endsBy(LineEnd::rest);
-    double rad = field_.rad[fan] + (walk.direction < 0 ? kPi : 0) + (along_ == Along::acrossFlow ? 0.5 * kPi : 0);
+    const std::uint32_t fan = surface_.fans.fanOf[corner];
+    if (!(surface_.field.length[fan] > 0)) return walk.endsBy(LineEnd::rest);
+    double rad =
+        surface_.field.rad[fan] + (walk.direction < 0 ? kPi : 0) + (along_ == Along::acrossFlow ? 0.5 * kPi : 0);
     if (rad >= 2 * kPi) rad -= 2 * kPi;
     std::optional<std::uint32_t> into;
-    forEachCorner(fans_, fan, [&](std::uint32_t c) {
-        if (fans_.edgeRad[c] <= rad && rad <= fans_.secondEdgeRad(c)) into = into.value_or(c);
+    forEachCorner(surface_.fans, fan, [&](std::uint32_t c) {
+        if (surface_.fans.edgeRad[c] <= rad && rad <= surface_.fans.secondEdgeRad(c)) into = into.value_or(c);
     });
     if (!into) return walk.endsBy(LineEnd::boundary);
-    const double part = (rad - fans_.edgeRad[*into]) / (fans_.scale[fan] * fans_.cornerRad[*into]);
+    const double part =
+        (rad - surface_.fans.edgeRad[*into]) / (surface_.fans.scale[fan] * surface_.fans.cornerRad[*into]);
     const std::uint32_t next = nextInTriangle(*into), last = SurfaceFans::previousInTriangle(*into);
     walk.at.triangle = *into / 3;
     walk.at.weight[int(*into % 3)] = 1 - kIntoTriangle;
@@ -186,7 +188,7 @@ bool SurfaceTracer::enter(Walk& walk, std::uint32_t halfEdge) const
     const double there = walk.at.weight[int(end % 3)];
     if (there < kAtCorner) return passPoint(walk, halfEdge);
     if (there > 1 - kAtCorner) return passPoint(walk, end);
-    const std::uint32_t twin = fans_.twin[halfEdge];
+    const std::uint32_t twin = surface_.fans.twin[halfEdge];
     if (twin == SurfaceFans::kNone) return walk.endsBy(LineEnd::boundary);
     std::vector<double>& before = walk.entered[halfEdge];
     const bool again = std::ranges::any_of(before, [&](double place) { return std::abs(place - there) < kSamePlace; });

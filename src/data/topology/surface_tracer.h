@@ -29,12 +29,7 @@ enum class Along { flow, acrossFlow };
 /// Follows the flow on a surface, from triangle to triangle. In each the flow is linear.
 class SurfaceTracer {
 public:
-    /// All have to last as long as this.
-    SurfaceTracer(const SurfaceMesh& mesh, const SurfaceFans& fans, const TangentField& field,
-                  Along along = Along::flow)
-        : mesh_(mesh), fans_(fans), field_(field), along_(along)
-    {
-    }
+    explicit SurfaceTracer(const FlowSurface& surface, Along along = Along::flow) : surface_(surface), along_(along) {}
 
     /// The streamline from a place on, downstream (`direction` 1) or upstream (-1), as long as `longestWorld` at most.
     /// The places on it are no farther apart than a quarter of a triangle. A line that comes near a point at rest ends
@@ -49,7 +44,7 @@ public:
     LineEnd follow(const SurfacePlace& from, int direction, double longestWorld, double stepWorld,
                    const Visit& visit) const;
 
-    glm::dvec3 positionWorld(const SurfacePlace& place) const { return aeolic::positionWorld(mesh_, place); }
+    glm::dvec3 positionWorld(const SurfacePlace& place) const { return aeolic::positionWorld(surface_.mesh, place); }
 
 private:
     struct Walk {
@@ -76,9 +71,7 @@ private:
     bool slide(Walk& walk, std::uint32_t halfEdge) const;
     bool add(Walk& walk) const;
 
-    const SurfaceMesh& mesh_;
-    const SurfaceFans& fans_;
-    const TangentField& field_;
+    const FlowSurface surface_;
     Along along_;
 };
 

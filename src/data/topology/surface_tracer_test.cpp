@@ -26,7 +26,7 @@ struct Flow {
         : mesh(std::move(itsMesh)),
           fans(surfaceFans(mesh)),
           field(tangentField(mesh, fans, vectorsOf(mesh, vectorAt))),
-          tracer(mesh, fans, field)
+          tracer({mesh, fans, field})
     {
     }
 

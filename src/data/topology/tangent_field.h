@@ -20,6 +20,13 @@ struct TangentField {
     std::vector<glm::vec3> own = {};  ///< [points of the mesh] where `sharp` is not empty.
 };
 
+/// A surface and the flow on it, all of which has to last as long as this.
+struct FlowSurface {
+    const SurfaceMesh& mesh;
+    const SurfaceFans& fans;
+    const TangentField& field;
+};
+
 /// `vectors`: [points of the mesh] in the world's axes. A fan has the mean of those of its corners that are finite, by
 /// the triangles' angles there. Cost: O(triangles), parallel.
 TangentField tangentField(const SurfaceMesh& mesh, const SurfaceFans& fans, const std::vector<glm::vec3>& vectors);

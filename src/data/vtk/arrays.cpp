@@ -346,17 +346,11 @@ std::int64_t countBeyondHalves(vtkFloatArray& values, const CountedSamples* coun
 {
     const auto components = std::size_t(values.GetNumberOfComponents());
     const float* pointer = values.GetPointer(0);
-    std::atomic<std::int64_t> total{0};
-    parallelRanges(std::size_t(values.GetNumberOfTuples()), grain, [&](std::size_t begin, std::size_t end) {
-        std::int64_t part = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-            const float* tuple = pointer + i * components;
-            const auto beyond = std::count_if(tuple, tuple + components, isBeyondHalves);
-            if (beyond > 0 && (!counted || (*counted)(std::int64_t(i)))) part += beyond;
-        }
-        total += part;
+    return parallelSum(std::size_t(values.GetNumberOfTuples()), grain, [&](std::size_t i) {
+        const float* tuple = pointer + i * components;
+        const auto beyond = std::count_if(tuple, tuple + components, isBeyondHalves);
+        return beyond > 0 && (!counted || (*counted)(std::int64_t(i))) ? std::int64_t(beyond) : 0;
     });
-    return total;
 }
 
 }  // namespace aeolic

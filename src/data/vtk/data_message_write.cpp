@@ -19,7 +19,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 namespace aeolic {

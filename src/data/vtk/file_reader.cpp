@@ -15,35 +15,14 @@ template <class Request>
 ReaderProcess::Answer FileReader::ask(PacketKind kind, const Request& request, const char* what,
                                       const ProgressReport& progress)
 {
-    ByteWriter message;
-    message.add(request);
-    const Bytes bytes = message.take();
-    return reader_->ask(kind, bytes, {path_, what}, progress);
-}
-
-template <class Value>
-Value FileReader::understood(const ReaderProcess::Answer& answer) const
-{
-    try {
-        ByteReader message(answer.text);
-        Value value;
-        message.read(value);
-        return value;
-    } catch (const std::runtime_error&) {
-        failNonsense();
-    }
-}
-
-void FileReader::failNonsense() const
-{
-    throw InputError(path_, "the reader's answer makes no sense", "an undamaged file");
+    return reader_->ask(kind, byteMessage(request), {path_, what}, progress);
 }
 
 FileReader::FileReader(std::string path, Use use, std::optional<double> time) : path_(std::move(path))
 {
     std::error_code error;
     const OpenRequest request{std::filesystem::current_path(error).string(), path_, use, time};
-    facts_ = understood<FileFacts>(ask(PacketKind::open, request, "opening it", {}));
+    facts_ = valueIn<FileFacts>(ask(PacketKind::open, request, "opening it", {}).text, path_);
 }
 
 void FileReader::keepParts(const std::vector<std::string>& parts)
@@ -56,8 +35,8 @@ const std::vector<ArrayInfo>& FileReader::announcedArrays()
 {
     if (facts_.arraysByParts && !asked_) joined_ = false;
     if (facts_.arraysByParts && !asked_)
-        facts_.arrays = understood<std::vector<ArrayInfo>>(
-            ask(PacketKind::arrays, ArraysRequest{request_.parts, atTime_}, "looking for its arrays", {}));
+        facts_.arrays = valueIn<std::vector<ArrayInfo>>(
+            ask(PacketKind::arrays, ArraysRequest{request_.parts, atTime_}, "looking for its arrays", {}).text, path_);
     asked_ = true;
     if (!joined_ && !namedKindHas(path_, kHasMaps)) facts_.arrays = withJoined(std::move(facts_.arrays));
     joined_ = true;

@@ -78,9 +78,6 @@ private:
     template <class Request>
     ReaderProcess::Answer ask(PacketKind kind, const Request& request, const char* what,
                               const ProgressReport& progress);
-    template <class Value>
-    Value understood(const ReaderProcess::Answer& answer) const;
-    [[noreturn]] void failNonsense() const;
     vtkSmartPointer<vtkDataObject> data(const ReadRequest& request, const char* what, const ProgressReport& progress);
 
     std::string path_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "aeolic/error.h"
 #include "base/parallel.h"
@@ -134,6 +133,26 @@ void makeVectors(vtkDataSet& data, const std::vector<ArrayInfo>& arrays, const A
         attributesOf(data, array.onPoints)
             ->AddArray(joinedOf(components, array.name, found.front().array->GetNumberOfTuples()));
     }
+}
+
+vtkSmartPointer<vtkPolyData> withVectors(vtkPolyData& input, SurfaceArrays& wanted, const std::string& where)
+{
+    const std::vector<ArrayInfo> there = withJoined(arraysOf(input));
+    std::vector<ArrayInfo> made;
+    std::optional<ArrayInfo> vectors;
+    if (wanted.wantVectors) vectors = chooseVectors(there, wanted.vectors, where);
+    if (vectors) made.push_back(*vectors);
+    if (const auto scalar = wanted.colorBy.empty() ? std::nullopt : findScalar(there, wanted.colorBy, where))
+        made.push_back(scalar->array);
+    if (std::none_of(made.begin(), made.end(), [&](const ArrayInfo& array) {
+            return !array.of.empty() || (vectors && array.name == vectors->name && array.components == 2);
+        }))
+        return &input;
+    auto output = vtkSmartPointer<vtkPolyData>::New();
+    output->ShallowCopy(&input);
+    makeVectors(*output, made, vectors ? &*vectors : nullptr, where);
+    if (vectors && !vectors->of.empty()) wanted.vectors = vectors->name;
+    return output;
 }
 
 }  // namespace aeolic

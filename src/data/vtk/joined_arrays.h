@@ -1,11 +1,14 @@
 #pragma once
 
 #include <vtkDataSet.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "data/loaded_surface.h"
 #include "data/vtk/arrays.h"
 
 namespace aeolic {
@@ -23,6 +26,10 @@ std::vector<ArrayInfo> arraysToRead(const std::vector<ArrayInfo>& arrays);
 /// is not there is left out.
 void makeVectors(vtkDataSet& data, const std::vector<ArrayInfo>& arrays, const ArrayInfo* vectors,
                  const std::string& path);
+
+/// The polydata with vectors of three components where its own are to be put together of scalars, or have two in flat
+/// data; else itself. `wanted` has their name then. Throws InputError that begins with `where`.
+vtkSmartPointer<vtkPolyData> withVectors(vtkPolyData& input, SurfaceArrays& wanted, const std::string& where);
 
 /// The axis that the data lie across; nothing where they are not flat in one.
 std::optional<int> flatAxisOf(vtkDataSet& data);

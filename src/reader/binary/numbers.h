@@ -3,7 +3,9 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
 
 namespace aeolic {
 
@@ -16,16 +18,29 @@ constexpr std::size_t bytesOf(NumberType type)
     return sizes[std::size_t(type)];
 }
 
-constexpr bool isReal(NumberType type)
-{
-    return type == NumberType::float32 || type == NumberType::float64;
-}
-
 /// Reads a number in text as std::from_chars() does, and what else programs write for numbers: "+1", Fortran's "1D-3"
 /// and "0.4-102". A number that is too small or too large for `Real` becomes zero or infinity, with its sign.
 /// Instantiated for float and double.
 template <class Real>
 std::from_chars_result readReal(const char* begin, const char* end, Real& value);
+
+/// The number that all of the text is, as std::from_chars() reads it; nothing where it is something else.
+template <class Number, class... Base>
+std::optional<Number> numberIn(std::string_view text, Base... base)
+{
+    Number number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, base...);
+    return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+/// Likewise, as readReal() reads it.
+template <class Real>
+std::optional<Real> realIn(std::string_view text)
+{
+    Real number = 0;
+    const auto [end, error] = readReal(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
 
 /// `to.size()` numbers out of `from`, which has as many of `type` and need not be aligned. Numbers that `Number` cannot
 /// hold become infinite where it is a floating-point type; whole numbers keep their lowest bits. Instantiated for

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "reader/cgns/cgns_zone.h"
-#include "reader/parts/ordered_cells.h"
 
 namespace aeolic {
 namespace {
@@ -44,8 +43,7 @@ void forEachList(const CgnsSection& section, const Wholes& numbers, const Take& 
 {
     const auto node = section.node->child("ElementStartOffset");
     const Wholes offsets = node ? node->wholes() : Wholes();
-    if (node &&
-        (offsets.size() != section.count() + 1 || offsets[0] != 0 || !std::is_sorted(offsets.begin(), offsets.end())))
+    if (node && (offsets.size() != section.count() + 1 || offsets[0] != 0 || !std::ranges::is_sorted(offsets)))
         node->fail(fmt::format("it has {} numbers", offsets.size()),
                    fmt::format("{} numbers from 0 on, none smaller than the one before", section.count() + 1));
     std::size_t at = 0;

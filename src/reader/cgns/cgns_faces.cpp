@@ -95,8 +95,8 @@ CellFaces CgnsZone::listedFaces(const CgnsBoundary& boundary, bool behind) const
     std::map<const CgnsSection*, Wholes> parents;
     CellFaces found;
     for (const CgnsSection& section : sections_) {
-        const auto lowest = std::min_element(boundary.numbers.begin(), boundary.numbers.end());
-        const auto highest = std::max_element(boundary.numbers.begin(), boundary.numbers.end());
+        const auto lowest = std::ranges::min_element(boundary.numbers);
+        const auto highest = std::ranges::max_element(boundary.numbers);
         if (section.dimension != 2 || section.count() == 0 || *lowest > section.last || *highest < section.first)
             continue;
         known.emplace(&section, facesByNumber(section));
@@ -104,9 +104,8 @@ CellFaces CgnsZone::listedFaces(const CgnsBoundary& boundary, bool behind) const
     }
     bool all = true;
     for (const std::int64_t number : numbersOf(boundary, lastElement())) {
-        const auto place = std::find_if(known.begin(), known.end(), [&](const auto& each) {
-            return number >= each.first->first && number <= each.first->last;
-        });
+        const auto place = std::ranges::find_if(
+            known, [&](const auto& each) { return number >= each.first->first && number <= each.first->last; });
         const std::size_t at = place == known.end() ? 0 : std::size_t(number - place->first->first);
         if (place == known.end() || at >= place->second.count() || place->second.face(at).empty())
             boundary.node->fail(fmt::format("the element {} is not a face", number), "faces of the zone");
@@ -136,7 +135,7 @@ CellFaces CgnsZone::facesBetween(const CgnsBoundary& boundary, bool behind) cons
         for (std::size_t i = 0; i < all.count(); ++i) {
             const auto face = all.face(i);
             if (!face.empty() &&
-                std::all_of(face.begin(), face.end(), [&](std::int64_t corner) { return chosen[std::size_t(corner)]; }))
+                std::ranges::all_of(face, [&](std::int64_t corner) { return chosen[std::size_t(corner)]; }))
                 found.faces.add(face);
         }
     }

@@ -58,7 +58,7 @@ std::vector<std::string> CgnsNode::texts() const
 std::vector<std::int64_t> CgnsNode::wholes() const
 {
     const auto kind = type();
-    if (!kind || isReal(*kind)) fail("it holds no whole numbers", "whole numbers");
+    if (!kind || *kind >= NumberType::float32) fail("it holds no whole numbers", "whole numbers");
     return read<std::int64_t>();
 }
 

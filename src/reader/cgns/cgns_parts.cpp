@@ -1,4 +1,4 @@
-#include "reader/cgns/cgns_parts.h"
+#include "reader/parts/open_parts.h"
 
 #include <fmt/format.h>
 
@@ -30,12 +30,6 @@ std::vector<double> timesOf(const std::vector<CgnsNodePtr>& bases)
     return {};
 }
 
-/// One array of the source: which of the file's fields it is made of, by their names.
-struct Joined {
-    bool onPoints;
-    std::vector<std::string> of;
-};
-
 class CgnsParts : public PartSource {
 public:
     CgnsParts(const std::string& path, std::optional<double> time)
@@ -60,16 +54,11 @@ public:
         addArrays(flat);
     }
 
-    const std::vector<PartArray>& arrays() const override { return arrays_; }
-    std::vector<double> times() const override { return times_; }
-    const std::vector<PartInfo>& parts() override { return parts_; }
-
     PartMesh read(std::size_t number, const std::vector<std::size_t>& wanted) override
     {
         const Place& place = places_[number];
         const CgnsZone& zone = *place.zone;
-        const bool onCells =
-            std::any_of(wanted.begin(), wanted.end(), [&](std::size_t array) { return !joined_[array].onPoints; });
+        const bool onCells = std::ranges::any_of(wanted, [&](std::size_t array) { return !arrays_[array].onPoints; });
         PartMesh mesh;
         CellFaces faces;
         if (place.boundary) {
@@ -82,7 +71,7 @@ public:
             mesh.cells = zone.cells();
         }
         mesh.points = zone.points();
-        for (const std::size_t array : wanted) mesh.values.push_back(values(place, faces, joined_[array]));
+        for (const std::size_t array : wanted) mesh.values.push_back(values(place, faces, array));
         return mesh;
     }
 
@@ -104,7 +93,7 @@ private:
         for (const CgnsBoundary& boundary : zone.boundaries()) {
             if (zone.structured() && !boundary.range) continue;
             std::vector<std::string> groups = boundary.groups;
-            if (std::find(groups.begin(), groups.end(), boundary.type) == groups.end()) groups.push_back(boundary.type);
+            if (std::ranges::find(groups, boundary.type) == groups.end()) groups.push_back(boundary.type);
             names.insert(boundary.node->name());
             parts_.push_back({base + zone.name() + "/" + boundary.node->name(), boundary.type, groups, 2, true, true});
             places_.push_back({&zone, &boundary});
@@ -120,8 +109,8 @@ private:
     /// Where there are walls, only they are drawn.
     void chooseUsual()
     {
-        const auto isWall = [&](const PartInfo& part) { return isCgnsWall(part.type); };
-        if (std::none_of(parts_.begin(), parts_.end(), isWall)) return;
+        const auto isWall = [](const PartInfo& part) { return part.type.starts_with("BCWall"); };  // BCWallViscous …
+        if (std::ranges::none_of(parts_, isWall)) return;
         for (PartInfo& part : parts_)
             if (part.derived) part.usual = isWall(part);
     }
@@ -132,8 +121,7 @@ private:
             std::vector<std::string> names;
             std::vector<NumberType> types;
             const auto add = [&](const CgnsField& field) {
-                if (field.onPoints != onPoints || std::find(names.begin(), names.end(), field.name) != names.end())
-                    return;
+                if (field.onPoints != onPoints || std::ranges::find(names, field.name) != names.end()) return;
                 names.push_back(field.name);
                 types.push_back(*field.node->type());
             };
@@ -144,35 +132,20 @@ private:
             }
             for (const NamedComponents& each : joinComponents(names, flat)) {
                 arrays_.push_back({each.name, onPoints, each.of.size() > 1 ? 3 : 1, types[each.of.front()]});
-                Joined joined{onPoints, {}};
-                for (const std::size_t component : each.of) joined.of.push_back(names[component]);
-                joined_.push_back(std::move(joined));
+                std::vector<std::string>& of = of_.emplace_back();
+                for (const std::size_t component : each.of) of.push_back(names[component]);
             }
         }
     }
 
     /// Null where the part has none of the components.
-    PartValues values(const Place& place, const CellFaces& faces, const Joined& joined) const
+    PartValues values(const Place& place, const CellFaces& faces, std::size_t array) const
     {
         std::vector<std::vector<float>> components;
-        bool any = false;
-        for (const std::string& name : joined.of) {
-            components.push_back(component(place, faces, name, joined.onPoints));
-            any = any || !components.back().empty();
-        }
-        if (!any) return nullptr;
-        const std::size_t width = components.size() > 1 ? 3 : 1;
-        std::size_t count = 0;
-        for (const auto& each : components) count = std::max(count, each.size());
-        for (std::size_t c = 0; c < components.size(); ++c)
-            if (!components[c].empty() && components[c].size() != count)
-                place.zone->fail(fmt::format("'{}' has {} values", joined.of[c], components[c].size()),
-                                 fmt::format("{}", count));
-        auto values = std::make_shared<std::vector<float>>(count * width, components.size() == 2 ? 0.0F : kMissing);
-        for (std::size_t c = 0; c < components.size(); ++c)
-            for (std::size_t i = 0; i < count; ++i)
-                (*values)[i * width + c] = i < components[c].size() ? components[c][i] : kMissing;
-        return values;
+        for (const std::string& name : of_[array])
+            components.push_back(component(place, faces, name, arrays_[array].onPoints));
+        return joinedValues(components, of_[array],
+                            [&](const auto& found, const auto& expected) { place.zone->fail(found, expected); });
     }
 
     std::vector<float> component(const Place& place, const CellFaces& faces, const std::string& name,
@@ -180,9 +153,8 @@ private:
     {
         const CgnsZone& zone = *place.zone;
         const auto find = [&](const std::vector<CgnsField>& fields) {
-            return std::find_if(fields.begin(), fields.end(), [&](const CgnsField& field) {
-                return field.name == name && field.onPoints == onPoints;
-            });
+            return std::ranges::find_if(
+                fields, [&](const CgnsField& field) { return field.name == name && field.onPoints == onPoints; });
         };
         const auto own = find(zone.fields());
         std::vector<float> values;
@@ -228,12 +200,9 @@ private:
         return {section.node, "", {}, false, "FaceCenter", true, {section.first, section.last}};
     }
 
-    std::vector<double> times_;
     std::vector<std::unique_ptr<CgnsZone>> zones_;
-    std::vector<PartInfo> parts_;
-    std::vector<Place> places_;  // Of each part.
-    std::vector<PartArray> arrays_;
-    std::vector<Joined> joined_;  // Of each array.
+    std::vector<Place> places_;                 // Of each part.
+    std::vector<std::vector<std::string>> of_;  // Of each array: the names of the fields that it is made of.
 };
 
 }  // namespace

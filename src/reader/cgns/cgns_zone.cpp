@@ -34,7 +34,7 @@ void addFields(const CgnsNodePtr& solution, bool onPoints, std::vector<CgnsField
 {
     const std::vector<std::int64_t> rind = rindOf(solution);
     for (const CgnsNodePtr& array : solution->children("DataArray_t"))
-        if (array->type() && std::none_of(fields.begin(), fields.end(), [&](const CgnsField& field) {
+        if (array->type() && std::ranges::none_of(fields, [&](const CgnsField& field) {
                 return field.name == array->name() && field.onPoints == onPoints;
             }))
             fields.push_back({array->name(), array, onPoints, rind});
@@ -99,8 +99,7 @@ void CgnsZone::readSections()
             node->fail(fmt::format("its elements are of the unknown kind {}", kind[0]), "a kind of CGNS 4");
         sections_.push_back(std::move(section));
     }
-    std::stable_sort(sections_.begin(), sections_.end(),
-                     [](const CgnsSection& a, const CgnsSection& b) { return a.first < b.first; });
+    std::ranges::stable_sort(sections_, [](const CgnsSection& a, const CgnsSection& b) { return a.first < b.first; });
     dimension_ = 0;
     for (std::size_t i = 0; i < sections_.size(); ++i) {
         if (i > 0 && sections_[i].first <= sections_[i - 1].last)

@@ -116,10 +116,4 @@ private:
     mutable PartPoints points_;
 };
 
-/// "BCWall", "BCWallViscous" …
-inline bool isCgnsWall(const std::string& type)
-{
-    return type.starts_with("BCWall");
-}
-
 }  // namespace aeolic

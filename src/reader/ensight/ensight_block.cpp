@@ -7,8 +7,6 @@
 
 #include "base/memory.h"
 #include "reader/ensight/ensight_geometry.h"
-#include "reader/ensight/ensight_words.h"
-#include "reader/parts/ordered_cells.h"
 
 namespace aeolic {
 namespace {

@@ -8,15 +8,23 @@
 #include <fstream>
 #include <limits>
 #include <set>
+#include <string_view>
 
 #include "aeolic/error.h"
 #include "base/text.h"
-#include "reader/ensight/ensight_words.h"
+#include "reader/binary/numbers.h"
 
 namespace aeolic {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A word that is a number and nothing else.
+template <class Number>
+std::optional<Number> numberOf(const std::string& word)
+{
+    return numberIn<Number>(std::string_view(word).substr(word.starts_with('+') ? 1 : 0));
+}
 
 class CaseText {
 public:
@@ -31,9 +39,8 @@ public:
         std::ifstream file(path_, std::ios::binary);
         for (std::string line; std::getline(file, line);) {
             ++line_;
-            const bool text = std::all_of(line.begin(), line.end(), [](char c) {
-                return static_cast<unsigned char>(c) >= ' ' || c == '\t' || c == '\r';
-            });
+            const bool text = std::ranges::all_of(
+                line, [](char c) { return static_cast<unsigned char>(c) >= ' ' || c == '\t' || c == '\r'; });
             if (!text) fail("is not text", "the text of an EnSight case");
             const std::size_t begin = line.find_first_not_of(" \t\r");
             if (begin == std::string::npos || line[begin] == '#') continue;
@@ -73,7 +80,7 @@ private:
                 return;
             }
         std::size_t colon = line.find(':');
-        const bool continued = section_ == "TIME" && ensightNumber<double>(ensightWords(line).front()).has_value();
+        const bool continued = section_ == "TIME" && numberOf<double>(ensightWords(line).front()).has_value();
         if (continued) colon = std::string::npos;
         if (colon == std::string::npos && !continued) return;  // Nothing that is known.
         std::string value = line;
@@ -100,7 +107,7 @@ private:
     void takeGeometry(std::vector<std::string> words)
     {
         if (key_ != "model") return;
-        const auto change = std::find(words.begin(), words.end(), "change_coords_only");
+        const auto change = std::ranges::find(words, "change_coords_only");
         if (words.end() - change > 1)
             fail("says change_coords_only with the step that has the cells", "a whole geometry for each step");
         words.erase(change, words.end());
@@ -128,7 +135,7 @@ private:
         EnSightFile file{words.back()};
         if (file.pattern.empty()) fail("names no file", "the name of a file");
         const auto number = [&](std::size_t i, const char* what) {
-            const auto set = ensightNumber<int>(words[i]);
+            const auto set = numberOf<int>(words[i]);
             if (!set || *set < 1) fail(fmt::format("names the {} '{}'", what, words[i]), "its number, from 1");
             return *set;
         };
@@ -139,7 +146,7 @@ private:
 
     int wholeOf(const std::vector<std::string>& words, int least = std::numeric_limits<int>::min()) const
     {
-        const auto whole = ensightNumber<int>(words.size() == 1 ? words[0] : "");
+        const auto whole = numberOf<int>(words.size() == 1 ? words[0] : "");
         if (!whole || *whole < least) fail("has no whole number", "'" + key_ + ": N'");
         return *whole;
     }
@@ -148,7 +155,7 @@ private:
     void takeTimes(const std::vector<std::string>& words)
     {
         if (key_ == "time set") {
-            const int number = ensightNumber<int>(words.empty() ? "" : words[0]).value_or(0);
+            const int number = numberOf<int>(words.empty() ? "" : words[0]).value_or(0);
             if (number < 1) fail("names no time set", "'time set: N', from 1");
             for (const TimeSet& other : timeSets_)
                 if (other.number == number) fail(fmt::format("has time set {} once more", number), "each set once");
@@ -184,7 +191,7 @@ private:
         const std::string each = fmt::format("{}, one for each step", set.steps);
         if (set.values.size() != set.steps) bad(fmt::format("has {} time values", set.values.size()), each);
         for (const std::string& word : set.values) {
-            const double value = ensightNumber<double>(word).value_or(std::numeric_limits<double>::quiet_NaN());
+            const double value = numberOf<double>(word).value_or(std::numeric_limits<double>::quiet_NaN());
             if (!std::isfinite(value)) bad(fmt::format("has the time '{}'", word), "finite numbers");
             if (!times.values.empty() && value <= times.values.back())
                 bad(fmt::format("has the time {} after {}", value, times.values.back()), "times that increase");
@@ -195,7 +202,7 @@ private:
                 times.numbers.push_back(std::to_string(set.start + long(i) * set.increment));
         if (times.numbers.size() != set.steps) bad(fmt::format("has {} filename numbers", times.numbers.size()), each);
         for (const std::string& number : times.numbers)
-            if (!ensightNumber<long>(number).has_value() || number[0] == '-')
+            if (!numberOf<long>(number).has_value() || number[0] == '-')
                 bad(fmt::format("has the filename number '{}'", number), "whole numbers from 0");
         return times;
     }
@@ -220,8 +227,8 @@ private:
     {
         const bool stars = file.pattern.find('*') != std::string::npos || file.fileSet != 0;
         if (stars && file.timeSet == 0 && !case_.timeSets.empty()) file.timeSet = case_.timeSets.front().number;
-        const auto set = std::find_if(case_.timeSets.begin(), case_.timeSets.end(),
-                                      [&](const EnSightTimes& t) { return t.number == file.timeSet; });
+        const auto set =
+            std::ranges::find_if(case_.timeSets, [&](const EnSightTimes& t) { return t.number == file.timeSet; });
         if ((stars || file.timeSet != 0) && set == case_.timeSets.end())
             throw InputError(path_,
                              fmt::format("'{}' belongs to time set {}, which is not there", file.pattern, file.timeSet),
@@ -256,6 +263,29 @@ private:
 
 }  // namespace
 
+std::vector<std::string> ensightWords(const std::string& text)
+{
+    std::vector<std::string> words;
+    std::string word;
+    bool quoted = false, any = false;
+    for (const char c : text) {
+        const bool blank = c == ' ' || c == '\t' || c == '\r';
+        if (c == '"') {
+            quoted = !quoted;
+            any = true;
+        } else if (quoted || !blank) {
+            word += c;
+            any = true;
+        } else if (any) {
+            words.push_back(word);
+            word.clear();
+            any = false;
+        }
+    }
+    if (any) words.push_back(word);
+    return words;
+}
+
 std::vector<double> EnSightCase::times() const
 {
     std::set<int> used{geometry.timeSet};
@@ -268,8 +298,7 @@ std::vector<double> EnSightCase::times() const
 
 const EnSightFileSet* EnSightCase::fileSet(int number) const
 {
-    const auto set = std::find_if(fileSets.begin(), fileSets.end(),
-                                  [&](const EnSightFileSet& each) { return each.number == number; });
+    const auto set = std::ranges::find_if(fileSets, [&](const EnSightFileSet& each) { return each.number == number; });
     return set == fileSets.end() ? nullptr : &*set;
 }
 
@@ -278,8 +307,7 @@ EnSightPlace EnSightCase::placeAt(const EnSightFile& file, std::optional<double>
     std::string name = file.pattern;
     const std::size_t first = name.find('*');
     if (first == std::string::npos && file.fileSet == 0) return {(fs::path(folder) / name).string(), {}};
-    const auto times =
-        std::find_if(timeSets.begin(), timeSets.end(), [&](const EnSightTimes& t) { return t.number == file.timeSet; });
+    const auto times = std::ranges::find_if(timeSets, [&](const EnSightTimes& t) { return t.number == file.timeSet; });
     std::size_t step = 0;
     const double at = time ? *time : this->times().front();
     while (step + 1 < times->values.size() && times->values[step + 1] <= at) ++step;

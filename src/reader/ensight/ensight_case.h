@@ -62,6 +62,9 @@ struct EnSightCase {
     EnSightPlace placeAt(const EnSightFile& file, std::optional<double> time) const;
 };
 
+/// The words of a line. Quotes hold blanks together.
+std::vector<std::string> ensightWords(const std::string& text);
+
 /// Reads a case file, and looks whether every file that it names for every step is there. Throws InputError, which
 /// begins with `path`. Of a case for VTK nothing else counts than `isForVtk`, and VTK looks for its files.
 EnSightCase readEnSightCase(const std::string& path);

@@ -38,8 +38,8 @@ bool isGhost(std::string_view name)
 const EnSightElement* findElement(std::string_view name)
 {
     if (isGhost(name)) name.remove_prefix(2);
-    const auto* const found = std::find_if(std::begin(elements), std::end(elements),
-                                           [&](const EnSightElement& element) { return element.name == name; });
+    const auto* const found =
+        std::ranges::find_if(elements, [&](const EnSightElement& element) { return element.name == name; });
     return found == std::end(elements) ? nullptr : found;
 }
 
@@ -191,7 +191,7 @@ std::size_t EnSightPart::cells() const
 
 bool EnSightPart::fillsSpace() const
 {
-    return std::any_of(sections.begin(), sections.end(), [](const EnSightSection& section) {
+    return std::ranges::any_of(sections, [](const EnSightSection& section) {
         return section.count > 0 && aeolic::fillsSpace(section.cells.shape);
     });
 }

@@ -1,4 +1,4 @@
-#include "reader/ensight/ensight_parts.h"
+#include "reader/parts/open_parts.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 
 #include "reader/ensight/ensight_case.h"
 #include "reader/ensight/ensight_geometry.h"
-#include "reader/ensight/ensight_words.h"
 
 namespace aeolic {
 namespace {
@@ -78,8 +77,8 @@ private:
             if (words[0] != (part.block ? "block" : "coordinates"))
                 stream_.fail(fmt::format("found '{}'", words[0]), "'coordinates', or 'block' for a part that is one");
         } else {
-            const auto section = std::find_if(part.sections.begin(), part.sections.end(),
-                                              [&](const EnSightSection& s) { return s.name == words[0]; });
+            const auto section =
+                std::ranges::find_if(part.sections, [&](const EnSightSection& s) { return s.name == words[0]; });
             if (section == part.sections.end())
                 stream_.fail(fmt::format("part {} has no '{}'", part.number, words[0]), "a kind of its elements");
             count = section->count;
@@ -124,12 +123,10 @@ class EnSightParts : public PartSource {
 public:
     EnSightParts(const std::string& path, std::optional<double> time) : case_(readEnSightCase(path)), time_(time)
     {
+        times_ = case_.times();
         for (const EnSightVariable& variable : case_.variables)
             arrays_.push_back({variable.name, variable.onPoints, variable.components, NumberType::float32});
     }
-
-    const std::vector<PartArray>& arrays() const override { return arrays_; }
-    std::vector<double> times() const override { return case_.times(); }
 
     const std::vector<PartInfo>& parts() override
     {
@@ -161,9 +158,7 @@ public:
 private:
     EnSightCase case_;
     std::optional<double> time_;
-    std::vector<PartArray> arrays_;
-    std::optional<EnSightGeometry> geometry_;  // Once it was asked for.
-    std::vector<PartInfo> parts_;
+    std::optional<EnSightGeometry> geometry_;                        // Once it was asked for.
     std::map<std::size_t, std::vector<std::vector<float>>> values_;  // Of an array: of each part that was not yet read.
 };
 

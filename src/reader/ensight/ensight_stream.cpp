@@ -173,11 +173,10 @@ std::vector<Number> EnSightStream::numbers(std::size_t count, const char* item)
     if (format_.encoding == EnSightEncoding::ascii) {
         while (values.size() < count) {
             const std::string text = word(item);
-            const char* const last = text.data() + text.size();
-            double number = 0;
-            const auto [end, error] = readReal(text.data(), last, number);
+            const auto read = realIn<double>(text);
+            const double number = read.value_or(0);
             const bool whole = number == std::floor(number) && std::abs(number) < 2147483648.0;
-            if (end != last || error != std::errc{} || (std::is_integral_v<Number> && !whole))
+            if (!read || (std::is_integral_v<Number> && !whole))
                 fail(fmt::format("{} has '{}'", item, text.substr(0, 40)), "a number");
             // What is too large for a float is no number, but no fault of the file.
             const bool tooFar = std::abs(number) > double(std::numeric_limits<float>::max());

@@ -1,4 +1,4 @@
-#include "reader/exodus/exodus_parts.h"
+#include "reader/parts/open_parts.h"
 
 #include <fmt/format.h>
 
@@ -47,13 +47,9 @@ public:
         addArrays(true, names_[&kNodal]);
         std::vector<std::string> onCells = names_[&kElement];
         for (const std::string& name : names_[&kSideSet])
-            if (std::find(onCells.begin(), onCells.end(), name) == onCells.end()) onCells.push_back(name);
+            if (std::ranges::find(onCells, name) == onCells.end()) onCells.push_back(name);
         addArrays(false, onCells);
     }
-
-    const std::vector<PartArray>& arrays() const override { return arrays_; }
-    std::vector<double> times() const override { return times_; }
-    const std::vector<PartInfo>& parts() override { return parts_; }
 
     PartMesh read(std::size_t number, const std::vector<std::size_t>& wanted) override
     {
@@ -131,7 +127,7 @@ private:
     {
         const auto known = names_.find(&kind);
         if (known == names_.end()) return "";
-        const auto at = std::find(known->second.begin(), known->second.end(), name);
+        const auto at = std::ranges::find(known->second, name);
         if (at == known->second.end()) return "";
         const auto index = std::to_string(at - known->second.begin() + 1);
         return number == 0 ? kind.values + index : kind.values + index + kind.ofBlock + std::to_string(number);
@@ -205,26 +201,15 @@ private:
     {
         const bool onPoints = arrays_[array].onPoints;
         if (onPoints && nodal_.contains(array)) return nodal_[array];
-        const std::vector<std::string>& names = components_[array];
         std::vector<std::vector<float>> components;
-        std::size_t count = 0;
-        for (const std::string& name : names) {
+        for (const std::string& name : components_[array])
             components.push_back(onPoints    ? nodalValues(name)
                                  : place.set ? sideValues(name, *place.set, sides)
                                              : readStep(variableOf(kElement, name, place.block->number)));
-            count = std::max(count, components.back().size());
-        }
-        if (count == 0) return nullptr;
-        for (std::size_t c = 0; c < components.size(); ++c)
-            if (!components[c].empty() && components[c].size() != count)
-                file_->fail(fmt::format("'{}' has {} values", names[c], components[c].size()),
-                            fmt::format("{}", count));
-        const std::size_t width = names.size() > 1 ? 3 : 1;
-        auto values = std::make_shared<std::vector<float>>(count * width, 0.0F);
-        for (std::size_t c = 0; c < components.size(); ++c)
-            for (std::size_t i = 0; i < count; ++i)
-                (*values)[i * width + c] = i < components[c].size() ? components[c][i] : kMissing;
-        if (onPoints) nodal_[array] = values;
+        PartValues values = joinedValues(components, components_[array], [&](const auto& found, const auto& expected) {
+            file_->fail(found, expected);
+        });
+        if (onPoints && values) nodal_[array] = values;
         return values;
     }
 
@@ -258,13 +243,10 @@ private:
     std::unique_ptr<const NetcdfFile> file_;
     std::uint64_t dimensions_ = 3;
     std::size_t step_ = 0;
-    std::vector<double> times_;
     std::vector<ExodusBlock> blocks_;
     std::vector<ExodusSideSet> sets_;
     std::map<const Kind*, std::vector<std::string>> names_;
-    std::vector<PartInfo> parts_;
-    std::vector<Place> places_;  // Of each part.
-    std::vector<PartArray> arrays_;
+    std::vector<Place> places_;                         // Of each part.
     std::vector<std::vector<std::string>> components_;  // Of each array: the names of the variables that it is made of.
     PartPoints points_;
     std::map<std::size_t, PartValues> nodal_;

@@ -114,7 +114,7 @@ void FluentMesh::read(const FluentRange& range, MeshFaces& to) const
             text_.fail(fmt::format("a face is between the cells {} and {} in {}", first, second, describe(range)),
                        fmt::format("0 to {}", cellCount));
         // The corners turn around a thumb that points to the first cell.
-        std::reverse(corners.begin(), corners.end());
+        std::ranges::reverse(corners);
         to.corners.insert(to.corners.end(), corners.begin(), corners.end());
         to.ends.push_back(to.corners.size());
         to.inside.push_back(std::uint32_t(first));

@@ -1,4 +1,4 @@
-#include "reader/fluent/fluent_parts.h"
+#include "reader/parts/open_parts.h"
 
 #include <fmt/format.h>
 
@@ -63,10 +63,6 @@ public:
         }
         addArrays();
     }
-
-    const std::vector<PartArray>& arrays() const override { return arrays_; }
-    std::vector<double> times() const override { return {}; }
-    const std::vector<PartInfo>& parts() override { return parts_; }
 
     PartMesh read(std::size_t part, const std::vector<std::size_t>& wanted) override
     {
@@ -153,7 +149,7 @@ private:
         std::vector<std::size_t> widths;
         std::vector<int> numbers;
         for (const FluentValues& values : values_) {
-            if (std::find(numbers.begin(), numbers.end(), values.number) != numbers.end()) continue;
+            if (std::ranges::find(numbers, values.number) != numbers.end()) continue;
             numbers.push_back(values.number);
             names.push_back(nameOfData(values.number));
             widths.push_back(values.width);
@@ -220,11 +216,9 @@ private:
 
     FluentMesh mesh_;
     std::unique_ptr<FluentText> data_;
-    bool swapped_ = false;  // The numbers of data_.
-    std::vector<PartInfo> parts_;
+    bool swapped_ = false;      // The numbers of data_.
     std::vector<int> zoneIds_;  // Of each part.
     std::vector<FluentValues> values_;
-    std::vector<PartArray> arrays_;
     std::vector<std::vector<int>> of_;  // Of each array: the numbers of the values that it is made of.
 };
 

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 
 #include "aeolic/error.h"
 #include "base/text.h"
-#include "reader/binary/numbers.h"
 #include "reader/binary/whole_file.h"
 
 namespace aeolic {
@@ -143,11 +141,9 @@ std::vector<std::string> FluentText::words(const FluentSection& section) const
 
 std::int64_t FluentText::number(const std::string& word, int base) const
 {
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, base);
-    if (error != std::errc{} || end != word.data() + word.size() || value < 0)
-        fail(fmt::format("found '{:.40}' in a section's head", word), "a whole number from 0");
-    return value;
+    const auto value = numberIn<std::int64_t>(word, base);
+    if (!value || *value < 0) fail(fmt::format("found '{:.40}' in a section's head", word), "a whole number from 0");
+    return *value;
 }
 
 void FluentNumbers::endsTooEarly() const
@@ -165,42 +161,39 @@ std::string_view FluentNumbers::word()
     return body.substr(begin, at_ - begin);
 }
 
+void FluentNumbers::isNone(std::string_view word, const char* expected) const
+{
+    text_.fail(fmt::format("found '{}' in a section ({} ({})", plain(word), section_.index, plain(section_.head)),
+               expected);
+}
+
+template <class Number>
+Number FluentNumbers::fromBytes(NumberType type)
+{
+    if (section_.body.size() - at_ < bytesOf(type)) endsTooEarly();
+    Number value = 0;
+    convertNumbers<Number>(reinterpret_cast<const std::uint8_t*>(section_.body.data()) + at_, type, swapped_,
+                           {&value, 1});
+    at_ += bytesOf(type);
+    return value;
+}
+
 std::int64_t FluentNumbers::whole()
 {
-    if (section_.binary) {
-        if (section_.body.size() - at_ < 4) endsTooEarly();
-        std::int32_t value = 0;
-        convertNumbers<std::int32_t>(reinterpret_cast<const std::uint8_t*>(section_.body.data()) + at_,
-                                     NumberType::int32, swapped_, {&value, 1});
-        at_ += 4;
-        return value;
-    }
+    if (section_.binary) return fromBytes<std::int64_t>(NumberType::int32);
     const std::string_view text = word();
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-    if (error != std::errc{} || end != text.data() + text.size())
-        text_.fail(fmt::format("found '{}' in a section ({} ({})", plain(text), section_.index, plain(section_.head)),
-                   "a whole number to the base 16");
-    return value;
+    const auto value = numberIn<std::int64_t>(text, 16);
+    if (!value) isNone(text, "a whole number to the base 16");
+    return *value;
 }
 
 double FluentNumbers::real()
 {
-    double value = 0;
-    if (section_.binary) {
-        const std::size_t width = section_.doubles ? 8 : 4;
-        if (section_.body.size() - at_ < width) endsTooEarly();
-        convertNumbers<double>(reinterpret_cast<const std::uint8_t*>(section_.body.data()) + at_,
-                               section_.doubles ? NumberType::float64 : NumberType::float32, swapped_, {&value, 1});
-        at_ += width;
-        return value;
-    }
+    if (section_.binary) return fromBytes<double>(section_.doubles ? NumberType::float64 : NumberType::float32);
     const std::string_view text = word();
-    const auto [end, error] = readReal(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size())
-        text_.fail(fmt::format("found '{}' in a section ({} ({})", plain(text), section_.index, plain(section_.head)),
-                   "a number");
-    return value;
+    const auto value = realIn<double>(text);
+    if (!value) isNone(text, "a number");
+    return *value;
 }
 
 }  // namespace aeolic

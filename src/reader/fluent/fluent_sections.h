@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "reader/binary/numbers.h"
+
 namespace aeolic {
 
 /// A section of a Fluent file: "(13 (zone first last kind shape)(…))". Its numbers are text, or bytes where its index
@@ -63,7 +65,10 @@ public:
 
 private:
     std::string_view word();
+    template <class Number>
+    Number fromBytes(NumberType type);
     [[noreturn]] void endsTooEarly() const;
+    [[noreturn]] void isNone(std::string_view word, const char* expected) const;
 
     const FluentText& text_;
     const FluentSection& section_;

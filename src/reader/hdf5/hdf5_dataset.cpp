@@ -12,6 +12,7 @@
 #include "aeolic/error.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "reader/hdf5/hdf5_handle.h"
 
 namespace aeolic {
 namespace {

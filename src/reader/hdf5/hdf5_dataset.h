@@ -7,15 +7,15 @@
 
 #include "reader/binary/numbers.h"
 #include "reader/binary/slab.h"
-#include "reader/hdf5/hdf5_handle.h"
 
 namespace aeolic {
 
-/// A data set's elements, and how to get at them. Whoever makes one holds a Hdf5Lock.
+/// A data set's elements, and how to get at them. Whoever makes one holds a Hdf5Lock. The library's identifiers (hid_t)
+/// are numbers of 64 bits here, so that its headers stay away from those who read.
 class Hdf5DataSet {
 public:
     /// `id`: of the data set. `file` and `name`: for messages. All must outlive this.
-    Hdf5DataSet(hid_t id, const std::string& file, const std::string& name);
+    Hdf5DataSet(std::int64_t id, const std::string& file, const std::string& name);
 
     const std::vector<std::uint64_t>& shape() const { return shape_; }
     std::uint64_t count() const { return count_; }
@@ -28,14 +28,14 @@ public:
 private:
     struct Chunks;
 
-    void requireOtherFiles(hid_t creation) const;
-    std::optional<Chunks> plainChunks(hid_t creation, const Slab& slab) const;
+    void requireOtherFiles(std::int64_t creation) const;
+    std::optional<Chunks> plainChunks(std::int64_t creation, const Slab& slab) const;
     template <class Number>
     void readChunk(const Chunks& chunks, std::uint64_t number, const Slab& slab, std::vector<Number>& values) const;
-    void readByLibrary(hid_t type, const Slab& slab, void* values) const;
+    void readByLibrary(std::int64_t type, const Slab& slab, void* values) const;
     [[noreturn]] void fail(const std::string& found, const std::string& expected = "a complete, undamaged file") const;
 
-    hid_t id_;
+    std::int64_t id_;
     const std::string& file_;
     const std::string& name_;
     std::vector<std::uint64_t> shape_;  // Slowest first.

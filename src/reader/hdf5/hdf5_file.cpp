@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "data/named_file.h"
 #include "reader/binary/filled_text.h"
-#include "reader/hdf5/hdf5_dataset.h"
+#include "reader/hdf5/hdf5_handle.h"
 
 namespace aeolic {
 namespace {
@@ -203,32 +203,6 @@ std::optional<std::string> Hdf5Object::text(const std::string& attribute) const
     return withoutFilling(std::move(text));
 }
 
-const std::vector<std::uint64_t>& Hdf5Object::shape() const
-{
-    return data().shape();
-}
-
-std::uint64_t Hdf5Object::count() const
-{
-    return data().count();
-}
-
-std::optional<NumberType> Hdf5Object::type() const
-{
-    return isDataSet() ? state_->data->type() : std::nullopt;
-}
-
-template <class Number>
-std::vector<Number> Hdf5Object::read(const Slab& slab) const
-{
-    return data().read<Number>(slab);
-}
-
-std::string Hdf5Object::characters() const
-{
-    return data().characters();
-}
-
 const Hdf5DataSet& Hdf5Object::data() const
 {
     if (!isDataSet()) fail("it is a group", "numbers");
@@ -239,11 +213,5 @@ void Hdf5Object::fail(const std::string& found, const std::string& expected) con
 {
     throw InputError(file(), fmt::format("'{}': {}", name(), found), expected);
 }
-
-template std::vector<float> Hdf5Object::read(const Slab&) const;
-template std::vector<double> Hdf5Object::read(const Slab&) const;
-template std::vector<std::int8_t> Hdf5Object::read(const Slab&) const;
-template std::vector<std::int32_t> Hdf5Object::read(const Slab&) const;
-template std::vector<std::int64_t> Hdf5Object::read(const Slab&) const;
 
 }  // namespace aeolic

@@ -7,12 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "reader/binary/numbers.h"
-#include "reader/binary/slab.h"
+#include "reader/hdf5/hdf5_dataset.h"
 
 namespace aeolic {
-
-class Hdf5DataSet;
 
 /// A group or a data set of an HDF5 file, by the HDF5 library. The file stays open as long as any object of it lives.
 /// Links are followed, also into other files, which are looked for in the folder of the file that names them. Threads
@@ -44,14 +41,18 @@ public:
     std::optional<std::string> text(const std::string& attribute) const;
 
     /// The length of a data set in each dimension, slowest first; empty where it has a single element.
-    const std::vector<std::uint64_t>& shape() const;
-    std::uint64_t count() const;             ///< Of its elements.
-    std::optional<NumberType> type() const;  ///< Nothing where its elements are no numbers.
+    const std::vector<std::uint64_t>& shape() const { return data().shape(); }
+    std::uint64_t count() const { return data().count(); }  ///< Of its elements.
+    /// Nothing where its elements are no numbers.
+    std::optional<NumberType> type() const { return isDataSet() ? data().type() : std::nullopt; }
 
     /// Its elements, or a slab of them, as `Number`: float, double, std::int8_t, std::int32_t or std::int64_t. What was
     /// never written has the fill value.
     template <class Number>
-    std::vector<Number> read(const Slab& slab) const;
+    std::vector<Number> read(const Slab& slab) const
+    {
+        return data().read<Number>(slab);
+    }
     template <class Number>
     std::vector<Number> read() const
     {
@@ -59,7 +60,7 @@ public:
     }
 
     /// Its characters, of which each element is one.
-    std::string characters() const;
+    std::string characters() const { return data().characters(); }
 
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 

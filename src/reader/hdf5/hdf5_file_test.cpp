@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "aeolic/error.h"
-#include "data/vtk/sample_files.h"
-#include "reader/hdf5/sample_hdf5.h"
+#include "data/vtk/testing/sample_files.h"
+#include "reader/hdf5/testing/sample_hdf5.h"
 
 namespace aeolic {
 namespace {

@@ -1,4 +1,4 @@
-#include "reader/lists/series_json.h"
+#include "reader/lists/series_files.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ std::vector<SeriesEntry> readSeriesFile(const std::string& path)
         if (!name || !name->is_string() || name->get<std::string>().empty())
             throw InputError(where, "it has no \"name\"", "the name of a file");
         if (const auto text = name->get<std::string>();
-            std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }))
+            std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < ' '; }))
             throw InputError(where, "its \"name\" has control characters", "the name of a file");
         if (!time || !time->is_number()) throw InputError(where, "it has no \"time\"", "a number");
         entries.push_back({name->get<std::string>(), time->get<double>()});

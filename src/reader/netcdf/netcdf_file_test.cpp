@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "aeolic/error.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 /// What the Exodus library does not write. All else is tested with its files (tests/exodus_test.cpp).
 namespace aeolic {

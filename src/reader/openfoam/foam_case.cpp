@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
 
 #include "aeolic/error.h"
-#include "reader/openfoam/foam_folders.h"
+#include "reader/binary/numbers.h"
 
 namespace aeolic {
 namespace {
@@ -16,6 +17,32 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kProcessor = "processor";
+
+bool isFolder(const fs::path& path)
+{
+    std::error_code error;
+    return fs::is_directory(path, error);
+}
+
+/// What postProcess leaves of a time whose fields are gone holds nothing else than uniform/.
+bool hasData(const fs::path& folder)
+{
+    std::error_code error;
+    return std::any_of(fs::directory_iterator(folder, error), fs::directory_iterator(),
+                       [](const fs::directory_entry& entry) { return entry.path().filename() != "uniform"; });
+}
+
+/// The folders whose name is a time and that hold data of it, by time.
+std::map<double, std::string> timeFolders(const fs::path& folder)
+{
+    std::map<double, std::string> times;
+    for (const std::string& name : namesInFolder(folder)) {
+        const auto time = numberIn<double>(name);
+        const bool isTime = time && std::isfinite(*time) && name.front() != '-';
+        if (isTime && isFolder(folder / name) && hasData(folder / name)) times.emplace(*time, name);
+    }
+    return times;
+}
 
 std::vector<std::string> regionsOf(const fs::path& folder)
 {
@@ -41,17 +68,17 @@ std::optional<ProcessorFolder> processorFolder(const std::string& name)
 {
     if (!name.starts_with(kProcessor)) return std::nullopt;
     std::string_view rest = std::string_view(name).substr(kProcessor.size());
-    if (const auto number = foamNumber<int>(rest)) return ProcessorFolder{name, *number, *number, {}};
+    if (const auto number = numberIn<int>(rest)) return ProcessorFolder{name, *number, *number, {}};
     if (!rest.starts_with('s')) return std::nullopt;
     rest.remove_prefix(1);
     const std::size_t under = std::min(rest.find('_'), rest.size());
-    const auto all = foamNumber<int>(rest.substr(0, under));
+    const auto all = numberIn<int>(rest.substr(0, under));
     if (!all || *all < 1) return std::nullopt;
     if (under == rest.size()) return ProcessorFolder{name, 0, *all - 1, all};
     const std::string_view run = rest.substr(under + 1);
     const std::size_t dash = std::min(run.find('-'), run.size());
-    const auto first = foamNumber<int>(run.substr(0, dash));
-    const auto last = dash == run.size() ? first : foamNumber<int>(run.substr(dash + 1));
+    const auto first = numberIn<int>(run.substr(0, dash));
+    const auto last = dash == run.size() ? first : numberIn<int>(run.substr(dash + 1));
     if (!first || !last || *first < 0 || *last < *first) return std::nullopt;
     return ProcessorFolder{name, *first, *last, all};
 }
@@ -62,12 +89,10 @@ std::vector<FoamPath> processorFolders(const fs::path& root, const std::string& 
 {
     std::vector<ProcessorFolder> found;
     for (const std::string& entry : namesInFolder(root))
-        if (auto folder = processorFolder(entry); folder && isFoamFolder(root / entry))
-            found.push_back(std::move(*folder));
+        if (auto folder = processorFolder(entry); folder && isFolder(root / entry)) found.push_back(std::move(*folder));
     const auto isCollated = [](const ProcessorFolder& folder) { return folder.all.has_value(); };
-    if (!std::all_of(found.begin(), found.end(), isCollated)) std::erase_if(found, isCollated);
-    std::sort(found.begin(), found.end(),
-              [](const ProcessorFolder& a, const ProcessorFolder& b) { return a.first < b.first; });
+    if (!std::ranges::all_of(found, isCollated)) std::erase_if(found, isCollated);
+    std::ranges::sort(found, [](const ProcessorFolder& a, const ProcessorFolder& b) { return a.first < b.first; });
     std::vector<FoamPath> folders;
     for (const ProcessorFolder& folder : found) {
         if (folder.first != int(folders.size()))
@@ -90,7 +115,7 @@ void requireNeighbours(const FoamCase& foam)
             for (const FoamPatch& patch : readFoamBoundary(foamMeshFile(folder, region, -1, "boundary"))) {
                 const std::size_t to = patch.name.rfind("to");
                 if (!patch.type.starts_with(kProcessor) || to == std::string::npos) continue;
-                const auto number = foamNumber<int>(std::string_view(patch.name).substr(to + 2));
+                const auto number = numberIn<int>(std::string_view(patch.name).substr(to + 2));
                 if (number && *number >= int(foam.folders.size()))
                     throw InputError(foam.name,
                                      fmt::format("there is no processor{}, which '{}' of {} names", *number, patch.name,
@@ -102,7 +127,7 @@ void requireNeighbours(const FoamCase& foam)
 std::vector<double> timesOf(const fs::path& folder)
 {
     std::vector<double> times;
-    for (const auto& [time, name] : foamTimeFolders(folder)) times.push_back(time);
+    for (const auto& [time, name] : timeFolders(folder)) times.push_back(time);
     if (times.size() > 1 && times.front() == 0) times.erase(times.begin());
     return times;
 }
@@ -127,13 +152,23 @@ void requireSameTimes(const FoamCase& foam)
 
 }  // namespace
 
+std::vector<std::string> namesInFolder(const fs::path& folder)
+{
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+        names.push_back(at->path().filename().string());
+    std::ranges::sort(names);
+    return names;
+}
+
 FoamCase findFoamCase(const std::string& path)
 {
     FoamCase foam;
     foam.name = path;
     fs::path root(path);
     const bool demanded = root.filename() == "processor*";
-    if (demanded || !isFoamFolder(root)) {
+    if (demanded || !isFolder(root)) {
         std::error_code error;
         if (!demanded && !fs::exists(root, error)) throw InputError(path, "no such file", "a file that can be read");
         root = root.parent_path().empty() ? fs::path(".") : root.parent_path();
@@ -165,7 +200,7 @@ FoamCase findFoamCase(const std::string& path)
 
 FoamPath foamFieldFile(const FoamPath& folder, const std::string& region, double time, const std::string& field)
 {
-    const auto folders = foamTimeFolders(folder.path);
+    const auto folders = timeFolders(folder.path);
     const auto found = folders.find(time);
     if (found == folders.end())
         throw InputError(folder.path.string(), fmt::format("it has no time {}", time),
@@ -176,7 +211,7 @@ FoamPath foamFieldFile(const FoamPath& folder, const std::string& region, double
 FoamPath foamMeshFile(const FoamPath& folder, const std::string& region, double time, const std::string& file)
 {
     FoamPath best = folder / "constant" / region / "polyMesh" / file;
-    for (const auto& [at, name] : foamTimeFolders(folder.path)) {
+    for (const auto& [at, name] : timeFolders(folder.path)) {
         if (at > time) break;
         const FoamPath here = folder / name / region / "polyMesh" / file;
         if (!foamFileOf(here).empty()) best = here;
@@ -203,13 +238,12 @@ std::vector<FoamPatch> readFoamBoundary(const FoamPath& file)
             if (key == "inGroups")
                 while (in.peekToken() != ";" && !in.peekToken().empty()) {
                     const std::string word = in.token();
-                    if (word != "(" && word != ")" && !word.starts_with("List<") && !foamNumber<int>(word))
+                    if (word != "(" && word != ")" && !word.starts_with("List<") && !numberIn<int>(word))
                         patch.groups.push_back(word);
                 }
             in.skipEntry(item);
         }
-        if (std::find(patch.groups.begin(), patch.groups.end(), patch.type) == patch.groups.end())
-            patch.groups.push_back(patch.type);
+        if (std::ranges::find(patch.groups, patch.type) == patch.groups.end()) patch.groups.push_back(patch.type);
         if (!patches.empty() && patch.firstFace < patches.back().firstFace + patches.back().faces)
             in.fail(fmt::format("patch '{}' begins at face {}, within '{}'", patch.name, patch.firstFace,
                                 patches.back().name),

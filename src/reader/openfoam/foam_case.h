@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct FoamCase {
     double firstTime() const { return times.empty() ? 0 : times.front(); }
 };
 
+/// What is in a folder, sorted. Nothing where it cannot be looked into.
+std::vector<std::string> namesInFolder(const std::filesystem::path& folder);
+
 /// Looks at the folders of the case alone. Where there are processors' folders as well as a mesh that was put together
 /// again, whichever has the later time counts, at a tie the latter. `CASE/processor*` demands the former. Throws
 /// InputError for a folder that is not a case, processors that are missing, or times that differ between processors.
@@ -48,15 +52,12 @@ std::vector<FoamPatch> readFoamBoundary(const FoamPath& file);
 struct FoamField {
     std::string name;
     int components = 1;
-    std::vector<double> times = {};  ///< Those at which any region has it, where they were asked for.
+    std::vector<double> times = {};  ///< Those at which any region has it, of those that were asked for.
 };
 
-/// The fields of cells and faces that any region has at a time, by name. Files that are something else, or damaged, are
-/// left out.
-std::vector<FoamField> foamFields(const FoamCase& foam, double time);
-
-/// Those of all times, with their times.
-std::vector<FoamField> foamFieldsOfAllTimes(const FoamCase& foam);
+/// The fields of cells and faces that any region has at any of these times of the case, with those of these times that
+/// have them. Files that are something else, or damaged, are left out.
+std::vector<FoamField> foamFields(const FoamCase& foam, const std::vector<double>& times);
 
 /// The vectors that are drawn where none are named: wallShearStress on walls, else U, else the only ones. Empty where
 /// there are several others, or none.

@@ -8,7 +8,6 @@
 #include "aeolic/error.h"
 #include "description/color_by.h"
 #include "reader/openfoam/foam_case.h"
-#include "reader/openfoam/foam_folders.h"
 #include "reader/openfoam/foam_parts.h"
 
 namespace aeolic {
@@ -34,7 +33,7 @@ void addFields(const FoamPath& folder, double time, std::vector<FoamField>& fiel
             continue;
         const std::string name = file.extension() == ".gz" ? file.stem().string() : entry;
         const auto same = [&](const FoamField& field) { return field.name == name; };
-        auto known = std::find_if(fields.begin(), fields.end(), same);
+        auto known = std::ranges::find_if(fields, same);
         if (known == fields.end()) {
             const std::string type = classOf(folder / name);
             if (type != "volVectorField" && type != "volScalarField") continue;
@@ -42,12 +41,6 @@ void addFields(const FoamPath& folder, double time, std::vector<FoamField>& fiel
         }
         if (known->times.empty() || known->times.back() != time) known->times.push_back(time);
     }
-}
-
-void addFieldsAt(const FoamCase& foam, double time, std::vector<FoamField>& fields)
-{
-    for (const std::string& region : foam.regions)
-        addFields(foamFieldFile(foam.folders.front(), region, time, ""), time, fields);
 }
 
 /// The fields that an array like "U", "U:mag" or "cell:U" may be of.
@@ -77,17 +70,12 @@ const FoamField* fieldOf(const std::vector<FoamField>& fields, const std::string
 
 }  // namespace
 
-std::vector<FoamField> foamFields(const FoamCase& foam, double time)
+std::vector<FoamField> foamFields(const FoamCase& foam, const std::vector<double>& times)
 {
     std::vector<FoamField> fields;
-    if (!foam.times.empty()) addFieldsAt(foam, time, fields);
-    return fields;
-}
-
-std::vector<FoamField> foamFieldsOfAllTimes(const FoamCase& foam)
-{
-    std::vector<FoamField> fields;
-    for (const double time : foam.times) addFieldsAt(foam, time, fields);
+    for (const double time : times)
+        for (const std::string& region : foam.regions)
+            addFields(foamFieldFile(foam.folders.front(), region, time, ""), time, fields);
     return fields;
 }
 
@@ -97,13 +85,13 @@ std::string usualFoamVectors(const std::vector<FoamField>& fields, bool walls)
     for (const FoamField& field : fields)
         if (field.components == 3) vectors.push_back(field.name);
     for (const char* const name : {"wallShearStress", "U"})
-        if ((walls || name[0] == 'U') && std::find(vectors.begin(), vectors.end(), name) != vectors.end()) return name;
+        if ((walls || name[0] == 'U') && std::ranges::find(vectors, name) != vectors.end()) return name;
     return vectors.size() == 1 ? vectors.front() : "";
 }
 
 bool foamHasField(const FoamCase& foam, const std::string& region, double time, const FoamField& field)
 {
-    return std::any_of(foam.folders.begin(), foam.folders.end(), [&](const FoamPath& folder) {
+    return std::ranges::any_of(foam.folders, [&](const FoamPath& folder) {
         return !foamFileOf(foamFieldFile(folder, region, time, field.name)).empty();
     });
 }
@@ -115,7 +103,7 @@ void requireFoamFieldAt(const FoamCase& foam, double time, const std::string& ar
         const FoamStream readable{*file};  // A field whose header is damaged is not among the others, and is told here.
         return;
     }
-    const std::vector<FoamField> fields = foamFieldsOfAllTimes(foam);
+    const std::vector<FoamField> fields = foamFields(foam, foam.times);
     const FoamField* field = fieldOf(fields, array);
     if (!field) return;
     throw InputError(fmt::format("{}, time {}", foam.name, time), fmt::format("it has no '{}'", field->name),
@@ -129,16 +117,15 @@ std::vector<double> foamTimes(const std::string& path, const std::vector<std::st
 {
     const FoamCase foam = findFoamCase(path);
     std::vector<double> times = foam.times;
-    if (times.empty() || std::all_of(arrays.begin(), arrays.end(), [&](const std::string& array) {
+    if (times.empty() || std::ranges::all_of(arrays, [&](const std::string& array) {
             return array.empty() || fileOf(foam, times.front(), array);
         }))
         return times;  // Not all folders are looked into for what is usual.
-    const std::vector<FoamField> fields = foamFieldsOfAllTimes(foam);
+    const std::vector<FoamField> fields = foamFields(foam, foam.times);
     for (const std::string& array : arrays)
         if (const FoamField* field = fieldOf(fields, array))
-            std::erase_if(times, [&](double time) {
-                return std::find(field->times.begin(), field->times.end(), time) == field->times.end();
-            });
+            std::erase_if(times,
+                          [&](double time) { return std::ranges::find(field->times, time) == field->times.end(); });
     return times;
 }
 

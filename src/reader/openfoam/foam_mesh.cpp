@@ -133,7 +133,7 @@ void readPointsOf(const FoamPath& file, FoamFaces& faces)
 {
     std::vector<std::uint32_t>& corners = faces.faces.corners;
     std::vector<std::uint32_t> used = corners;
-    std::sort(used.begin(), used.end());
+    std::ranges::sort(used);
     used.erase(std::unique(used.begin(), used.end()), used.end());
     constexpr std::uint32_t none = ~std::uint32_t{0};
     std::vector<std::uint32_t> newId(used.size(), none);

@@ -15,7 +15,7 @@ namespace {
 std::vector<PartInfo> partsOf(const std::vector<FoamPart>& patches)
 {
     const auto isWall = [](const FoamPart& patch) { return patch.type == "wall"; };
-    const bool walls = std::any_of(patches.begin(), patches.end(), isWall);
+    const bool walls = std::ranges::any_of(patches, isWall);
     std::vector<PartInfo> parts;
     for (const FoamPart& patch : patches) {
         PartInfo part{patch.name(), patch.type, patch.groups, 2};
@@ -40,9 +40,10 @@ class FoamParts : public PartSource {
 public:
     FoamParts(const std::string& path, FileUse use, std::optional<double> time) : foam_(findFoamCase(path))
     {
+        times_ = foam_.times;
         time_ = time.value_or(foam_.firstTime());
         run_ = {0, int(foam_.folders.size())};
-        fields_ = foamFields(foam_, time_);
+        if (!times_.empty()) fields_ = foamFields(foam_, {time_});
         for (const FoamField& field : fields_) arrays_.push_back({field.name, false, field.components});
         if (use == FileUse::field) {
             for (const std::string& region : foam_.regions)
@@ -53,10 +54,6 @@ public:
             parts_ = partsOf(patches_);
         }
     }
-
-    const std::vector<PartArray>& arrays() const override { return arrays_; }
-    std::vector<double> times() const override { return foam_.times; }
-    const std::vector<PartInfo>& parts() override { return parts_; }
 
     PartMesh read(std::size_t part, const std::vector<std::size_t>& wanted) override
     {
@@ -70,7 +67,7 @@ public:
         if (patches_.empty())
             return readFoamVolume(foam_, numbered(foam_.regions, parts), time_, fields, run_, polyhedra_);
         const std::vector<FoamPart> patches = numbered(patches_, parts);
-        if (std::all_of(patches.begin(), patches.end(), [](const FoamPart& patch) { return patch.faces == 0; }))
+        if (std::ranges::all_of(patches, [](const FoamPart& patch) { return patch.faces == 0; }))
             throw InputError(foam_.name, fmt::format("patch '{}' has no faces", patches.front().name()),
                              "a patch with faces");
         PartMesh mesh = readFoamPatches(foam_, patches, time_, fields, run_);
@@ -82,15 +79,14 @@ public:
     {
         std::vector<FoamField> fields;  // Of the regions of these parts.
         const auto has = [&](const FoamField& field) {
-            return foam_.regions.size() == 1 || std::any_of(parts.begin(), parts.end(), [&](std::size_t part) {
+            return foam_.regions.size() == 1 || std::ranges::any_of(parts, [&](std::size_t part) {
                        const std::string& region = patches_.empty() ? foam_.regions[part] : patches_[part].region;
                        return foamHasField(foam_, region, time_, field);
                    });
         };
-        std::copy_if(fields_.begin(), fields_.end(), std::back_inserter(fields), has);
-        const bool walls = !patches_.empty() && std::all_of(parts.begin(), parts.end(), [&](std::size_t part) {
-            return patches_[part].type == "wall";
-        });
+        std::ranges::copy_if(fields_, std::back_inserter(fields), has);
+        const bool walls = !patches_.empty() &&
+                           std::ranges::all_of(parts, [&](std::size_t part) { return patches_[part].type == "wall"; });
         return usualFoamVectors(fields, walls);
     }
 
@@ -113,9 +109,7 @@ private:
     PieceRun run_;
     bool inPieces_ = false, polyhedra_ = false;
     std::vector<FoamField> fields_;
-    std::vector<PartArray> arrays_;
     std::vector<FoamPart> patches_;  // None of a field.
-    std::vector<PartInfo> parts_;
 };
 
 }  // namespace
@@ -132,9 +126,8 @@ std::vector<std::uint64_t> foamPieces(const std::string& path, FileUse use, cons
     if (use == FileUse::field || !foam.decomposed() || foam.regions.size() == 1) return pieces;
     const std::vector<FoamPart> patches = foamPatches(foam, foam.firstTime());
     const std::vector<std::size_t> chosen = chosenParts(partsOf(patches), parts, use, path);
-    const bool oneRegion = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t part) {
-        return patches[part].region == patches[chosen.front()].region;
-    });
+    const bool oneRegion = std::ranges::all_of(
+        chosen, [&](std::size_t part) { return patches[part].region == patches[chosen.front()].region; });
     return oneRegion ? pieces : std::vector<std::uint64_t>{1};
 }
 

@@ -4,7 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <charconv>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -203,17 +203,16 @@ template <class Number>
 Number FoamStream::number(const std::string& item)
 {
     const std::string text = token();
-    const char *begin = text.data() + (text.starts_with('+') ? 1 : 0), *last = text.data() + text.size();
-    Number value = 0;
-    std::from_chars_result read{};
+    const std::string_view plain = std::string_view(text).substr(text.starts_with('+') ? 1 : 0);
+    std::optional<Number> value;
     if constexpr (std::is_same_v<Number, double>)
-        read = readReal(begin, last, value);
+        value = realIn<double>(plain);
     else
-        read = std::from_chars(begin, last, value);
-    if (read.ec != std::errc{} || read.ptr != last)
+        value = numberIn<Number>(plain);
+    if (!value)
         fail(fmt::format("{}: found {}", item, shown(text)),
              std::is_same_v<Number, double> ? "a number" : "a whole number");
-    return value;
+    return *value;
 }
 
 double FoamStream::scalar(const std::string& item)

@@ -26,8 +26,7 @@ Share readShare(const FoamCase& foam, const FoamPath& folder, const std::string&
     const std::vector<FoamPatch> all = readFoamBoundary(boundary);
     std::vector<FoamPatch> patches;
     for (const FoamPatch& patch : all)
-        if (std::any_of(parts.begin(), parts.end(),
-                        [&](const FoamPart& p) { return p.region == region && p.patch == patch.name; }))
+        if (std::ranges::any_of(parts, [&](const FoamPart& p) { return p.region == region && p.patch == patch.name; }))
             patches.push_back(patch);
     Share share;
     share.faces = readFoamFaces(folder, region, time, patches);
@@ -66,15 +65,14 @@ std::vector<PlacedFace> facesInOrder(const std::vector<Share>& shares, std::size
     for (std::size_t s = 0; s < shares.size(); ++s)
         for (std::size_t f = 0; f < shares[s].faces.faces.count(); ++f)
             all.push_back({shares[s].order.empty() ? first + s : std::uint64_t(shares[s].order[f]), s, f});
-    std::stable_sort(all.begin(), all.end(),
-                     [](const PlacedFace& a, const PlacedFace& b) { return a.place < b.place; });
+    std::ranges::stable_sort(all, [](const PlacedFace& a, const PlacedFace& b) { return a.place < b.place; });
     return all;
 }
 
 /// Whether every processor says where its faces stand in the whole mesh.
 bool tellsOrder(const FoamCase& foam, const std::string& region, double time)
 {
-    return foam.decomposed() && std::all_of(foam.folders.begin(), foam.folders.end(), [&](const FoamPath& folder) {
+    return foam.decomposed() && std::ranges::all_of(foam.folders, [&](const FoamPath& folder) {
                return !foamFileOf(foamMeshFile(folder, region, time, "faceProcAddressing")).empty();
            });
 }
@@ -88,9 +86,8 @@ std::vector<FoamPart> foamPatches(const FoamCase& foam, double time)
         for (const FoamPath& folder : foam.folders)
             for (const FoamPatch& patch : readFoamBoundary(foamMeshFile(folder, region, time, "boundary"))) {
                 if (patch.type.starts_with("processor")) continue;
-                const auto same = std::find_if(parts.begin(), parts.end(), [&](const FoamPart& p) {
-                    return p.region == region && p.patch == patch.name;
-                });
+                const auto same = std::ranges::find_if(
+                    parts, [&](const FoamPart& p) { return p.region == region && p.patch == patch.name; });
                 if (same == parts.end())
                     parts.push_back({region, patch.name, patch.type, patch.groups, patch.faces});
                 else
@@ -107,7 +104,7 @@ PartMesh readFoamPatches(const FoamCase& foam, const std::vector<FoamPart>& part
     std::vector<std::vector<float>> values(fields.size());
     PartMesh mesh;
     for (const std::string& region : foam.regions) {
-        if (std::none_of(parts.begin(), parts.end(), [&](const FoamPart& p) { return p.region == region; })) continue;
+        if (std::ranges::none_of(parts, [&](const FoamPart& p) { return p.region == region; })) continue;
         const bool told = tellsOrder(foam, region, time);
         std::vector<Share> shares;
         std::vector<std::vector<std::int64_t>> ids;  // [shares][points] Their numbers among all; -1: none yet.

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "data/vtk/sample_files.h"
-#include "reader/openfoam/sample_case.h"
+#include "data/vtk/testing/sample_files.h"
+#include "reader/openfoam/testing/sample_case.h"
 
 /// Where triangles lie at the same depth the picture shows the first one, so it depends on the order of a case's faces.
 namespace aeolic {

@@ -33,8 +33,7 @@ bool fits(const std::string& pattern, const std::string& name)
 bool names(const Entry& entry, const FoamPatch& patch)
 {
     if (entry.pattern) return fits(entry.key, patch.name);
-    return entry.key == patch.name ||
-           std::find(patch.groups.begin(), patch.groups.end(), entry.key) != patch.groups.end();
+    return entry.key == patch.name || std::ranges::find(patch.groups, entry.key) != patch.groups.end();
 }
 
 /// The patch's own entry, else the last for one of its groups, else the last whose pattern it fits.
@@ -97,7 +96,7 @@ Entry readEntry(FoamStream& in, int components, const std::vector<FoamPatch>& pa
     entry.key = in.token();
     entry.pattern = in.quoted();
     const std::string item = fmt::format("boundaryField, '{}'", entry.key);
-    entry.kept = std::any_of(patches.begin(), patches.end(), [&](const FoamPatch& p) { return names(entry, p); });
+    entry.kept = std::ranges::any_of(patches, [&](const FoamPatch& p) { return names(entry, p); });
     in.expect("{", item);
     for (std::string key = in.token(); key != "}"; key = in.token()) {
         if (key.empty()) in.fail("the file is cut off", "a complete file");
@@ -174,7 +173,7 @@ void takeCells(const FoamPath& file, const FoamPath& ownerFile, int components, 
         const auto [face, mirror] = open[i];
         const std::vector<float>& cell = cells.at(owners[i]);
         float* value = &values[face * std::size_t(components)];
-        std::copy(cell.begin(), cell.end(), value);
+        std::ranges::copy(cell, value);
         if (!mirror || components != 3) continue;
         const glm::dvec3 normal = faces.normal(face), v(value[0], value[1], value[2]);
         const glm::dvec3 along = v - glm::dot(v, normal) * normal;

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "aeolic/error.h"
-#include "reader/openfoam/star_cells.h"
+#include "reader/openfoam/foam_volume.h"
 
 namespace aeolic {
 namespace {

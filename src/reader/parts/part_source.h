@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,11 +45,21 @@ struct PartCells {
 /// Whether there are as many corners as the cells need, and sizes and faces where they need them.
 bool sizesFit(const PartCells& cells);
 
+/// The cells between points in rows, as many in each direction as `lengths` says, the first direction fastest:
+/// hexahedra or, where points go in two directions alone, quads. None where they go in fewer.
+PartCells orderedCells(std::span<const std::int64_t> lengths);
+
 /// Where a part has no value.
 inline constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
 using PartPoints = std::shared_ptr<const std::vector<glm::dvec3>>;
 using PartValues = std::shared_ptr<const std::vector<float>>;
+
+/// One array of the values of its components, each of which may be empty; null where all are. Vectors have three
+/// components, of which a third that is not there is 0. Where numbers differ, calls `fail` with what was found and what
+/// was expected, which throws.
+PartValues joinedValues(const std::vector<std::vector<float>>& components, const std::vector<std::string>& names,
+                        const std::function<void(const std::string&, const std::string&)>& fail);
 
 /// The data read of a part. It may have more points than its cells have corners.
 struct PartMesh {
@@ -74,9 +86,9 @@ class PartSource {
 public:
     virtual ~PartSource() = default;
 
-    virtual const std::vector<PartArray>& arrays() const = 0;  ///< Each name once on points and once on cells.
-    virtual std::vector<double> times() const = 0;             ///< Increasing; empty where nothing changes.
-    virtual const std::vector<PartInfo>& parts() = 0;
+    const std::vector<PartArray>& arrays() const { return arrays_; }  ///< Each name once on points and once on cells.
+    const std::vector<double>& times() const { return times_; }       ///< Increasing; empty where nothing changes.
+    virtual const std::vector<PartInfo>& parts() { return parts_; }
 
     /// `wanted`: indices of arrays(). Of each that the part has, one tuple for each of its points or cells.
     virtual PartMesh read(std::size_t part, const std::vector<std::size_t>& wanted) = 0;
@@ -99,6 +111,11 @@ public:
 
     /// The cells will be looked up as they are. Otherwise polyhedra may come cut into simpler cells.
     virtual void keepPolyhedra() {}
+
+protected:
+    std::vector<PartArray> arrays_;
+    std::vector<double> times_;
+    std::vector<PartInfo> parts_;
 };
 
 /// The numbers of the parts that are meant, increasing: those that `wanted` names (chooseParts()). Where it names none:

@@ -1,4 +1,4 @@
-#include "reader/tecplot/tecplot_heads.h"
+#include "reader/tecplot/tecplot_text.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 
 #include "aeolic/error.h"
 #include "base/text.h"
+#include "reader/binary/numbers.h"
 
 namespace aeolic {
 namespace {
@@ -98,7 +99,7 @@ private:
         std::size_t end = at_;
         while (end < text_.size() && isLetter(text_[end])) ++end;
         const std::string found = upper(text_.substr(at_, end - at_));
-        return std::find(std::begin(kRecords), std::end(kRecords), found) != std::end(kRecords);
+        return std::ranges::find(kRecords, found) != std::end(kRecords);
     }
 
     std::string word()
@@ -197,11 +198,9 @@ private:
 
     std::int64_t whole(const std::string& key, const std::string& value) const
     {
-        std::int64_t number = 0;
-        const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-        if (error != std::errc{} || end != value.data() + value.size())
-            fail(fmt::format("has the {} '{:.40}'", key, value), "a whole number");
-        return number;
+        const auto number = numberIn<std::int64_t>(value);
+        if (!number) fail(fmt::format("has the {} '{:.40}'", key, value), "a whole number");
+        return *number;
     }
 
     void setKey(TecplotZone& zone, const std::string& key, const std::string& value)
@@ -234,9 +233,10 @@ private:
                 found_.zones[other].sharedCells.value_or(other);  // Whose they are in the end: a step, not a walk.
         }
         if (key == "SOLUTIONTIME") {
-            const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), zone.time);
-            if (error != std::errc{} || end != value.data() + value.size() || !std::isfinite(zone.time))
+            const auto time = numberIn<double>(value);
+            if (!time || !std::isfinite(*time))
                 fail(fmt::format("has the SOLUTIONTIME '{:.40}'", value), "a finite number");
+            zone.time = *time;
         }
     }
 

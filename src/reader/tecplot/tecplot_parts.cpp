@@ -1,4 +1,4 @@
-#include "reader/tecplot/tecplot_parts.h"
+#include "reader/parts/open_parts.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 #include "aeolic/error.h"
 #include "base/text.h"
 #include "data/vector_names.h"
-#include "reader/parts/ordered_cells.h"
 #include "reader/tecplot/tecplot_text.h"
 
 namespace aeolic {
@@ -90,10 +89,6 @@ public:
         findParts(time.value_or(times_.empty() ? 0 : times_.front()));
         addArrays();
     }
-
-    const std::vector<PartArray>& arrays() const override { return arrays_; }
-    std::vector<double> times() const override { return times_; }
-    const std::vector<PartInfo>& parts() override { return parts_; }
 
     PartMesh read(std::size_t number, const std::vector<std::size_t>& wanted) override
     {
@@ -177,11 +172,11 @@ private:
             std::vector<std::string> names;
             std::vector<std::size_t> numbers;
             for (std::size_t v = 0; v < variables.size(); ++v) {
-                if (std::find(std::begin(axes_), std::end(axes_), std::optional(v)) != std::end(axes_)) continue;
-                const bool any = std::any_of(zones_.begin(), zones_.end(), [&](std::size_t zone) {
+                if (std::ranges::find(axes_, std::optional(v)) != std::end(axes_)) continue;
+                const bool any = std::ranges::any_of(zones_, [&](std::size_t zone) {
                     return text_.zones()[zone].inCells[v] != onPoints && !text_.zones()[zone].passive[v];
                 });
-                const bool known = std::find(names.begin(), names.end(), variables[v]) != names.end();
+                const bool known = std::ranges::find(names, variables[v]) != names.end();
                 if (!any || known) continue;
                 names.push_back(variables[v]);
                 numbers.push_back(v);
@@ -227,12 +222,9 @@ private:
     }
 
     TecplotText text_;
-    std::optional<std::size_t> axes_[3];  // The variables that are coordinates.
-    std::size_t across_ = 3;              // The axis that flat data lie across; 3: they are not flat.
-    std::vector<double> times_;
-    std::vector<PartInfo> parts_;
-    std::vector<std::size_t> zones_;  // Of each part.
-    std::vector<PartArray> arrays_;
+    std::optional<std::size_t> axes_[3];        // The variables that are coordinates.
+    std::size_t across_ = 3;                    // The axis that flat data lie across; 3: they are not flat.
+    std::vector<std::size_t> zones_;            // Of each part.
     std::vector<std::vector<std::size_t>> of_;  // Of each array: the variables that it is made of.
 };
 

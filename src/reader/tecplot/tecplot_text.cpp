@@ -12,7 +12,6 @@
 #include "base/text.h"
 #include "reader/binary/numbers.h"
 #include "reader/binary/whole_file.h"
-#include "reader/tecplot/tecplot_heads.h"
 
 namespace aeolic {
 namespace {
@@ -155,21 +154,17 @@ void TecplotText::take(const TecplotZone& zone, const std::vector<std::optional<
                 fail(zone, "it has values in cells, point after point", "DATAPACKING=BLOCK");
             values[*columns[v]].reserve(zone.inCells[v] ? cells : points);
         }
+    const auto takeOne = [&](std::size_t v) {
+        const double value = next();
+        if (columns[v]) values[*columns[v]].push_back(value);
+    };
     if (zone.block) {
-        for (std::size_t v = 0; v < columns.size(); ++v) {
-            if (!present(v)) continue;
-            for (std::size_t i = 0; i < (zone.inCells[v] ? cells : points); ++i) {
-                const double value = next();
-                if (columns[v]) values[*columns[v]].push_back(value);
-            }
-        }
+        for (std::size_t v = 0; v < columns.size(); ++v)
+            for (std::size_t i = 0; present(v) && i < (zone.inCells[v] ? cells : points); ++i) takeOne(v);
     } else {
         for (std::size_t i = 0; i < points; ++i)
-            for (std::size_t v = 0; v < columns.size(); ++v) {
-                if (!present(v)) continue;
-                const double value = next();
-                if (columns[v]) values[*columns[v]].push_back(value);
-            }
+            for (std::size_t v = 0; v < columns.size(); ++v)
+                if (present(v)) takeOne(v);
     }
     const bool elements = zone.cells != TecplotCells::ordered && !zone.sharedCells;
     if (elements && corners) {

@@ -30,6 +30,15 @@ struct TecplotZone {
     int dimension() const;
 };
 
+/// What the records of a file say.
+struct TecplotHeads {
+    std::vector<std::string> variables;
+    std::vector<TecplotZone> zones;
+};
+
+/// Reads them in a file's text. Numbers are passed over. Throws InputError, which begins with `path`.
+TecplotHeads readTecplotHeads(std::string_view text, const std::string& path);
+
 /// A Tecplot file in text, all of it in memory. Every failure is an InputError that begins with the file's name.
 class TecplotText {
 public:

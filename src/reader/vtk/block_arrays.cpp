@@ -20,8 +20,8 @@ int vtkTypeOf(NumberType type)
 
 bool isAmong(const std::vector<ArrayInfo>& arrays, const std::string& name, bool onPoints)
 {
-    return std::any_of(arrays.begin(), arrays.end(),
-                       [&](const ArrayInfo& each) { return each.name == name && each.onPoints == onPoints; });
+    return std::ranges::any_of(arrays,
+                               [&](const ArrayInfo& each) { return each.name == name && each.onPoints == onPoints; });
 }
 
 void addOthers(std::vector<ArrayInfo>& arrays, const std::vector<ArrayInfo>& more)

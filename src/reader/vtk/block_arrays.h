@@ -5,6 +5,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,18 @@ void addOthers(std::vector<ArrayInfo>& arrays, const std::vector<ArrayInfo>& mor
 
 /// An array whose values are not set yet.
 vtkSmartPointer<vtkFloatArray> floatArray(const std::string& name, int components, std::size_t tuples);
+
+/// Values as an array of VTK's class `Array`, which has numbers of their size.
+template <class Array, class Number>
+vtkSmartPointer<Array> arrayOf(const std::string& name, int components, const std::vector<Number>& values)
+{
+    auto array = vtkSmartPointer<Array>::New();
+    array->SetName(name.c_str());
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(vtkIdType(values.size()) / components);
+    std::ranges::copy(values, array->GetPointer(0));
+    return array;
+}
 
 /// Puts a block of this name behind the others.
 void addBlock(vtkMultiBlockDataSet& blocks, vtkDataObject* data, const std::string& name);

@@ -41,6 +41,7 @@ void forwardProgress(vtkObject*, unsigned long, void* client, void*)
 
 constexpr const char* nrrdArrayName = "ImageFile";  // The format has no names; this one is VTK's.
 
+/// The arrays that a reader of the XML family announces before it reads them.
 std::vector<ArrayInfo> announced(vtkInformation& info)
 {
     std::vector<ArrayInfo> arrays;
@@ -74,17 +75,9 @@ std::vector<ArrayInfo> announcedScalars(vtkInformation& info)
     return {{nrrdArrayName, true, components, field->Get(vtkDataObject::FIELD_ARRAY_TYPE()), components == 3}};
 }
 
-/// The arrays that a reader announces before it reads them: readers of the XML family and of NRRD do. The reader's
-/// information must be up to date.
-std::vector<ArrayInfo> announcedBy(vtkAlgorithm& reader)
-{
-    vtkInformation& info = *reader.GetOutputInformation(0);
-    return vtkNrrdReader::SafeDownCast(&reader) ? announcedScalars(info) : announced(info);
-}
-
 }  // namespace
 
-DataFile::DataFile(std::string path, Use use, std::optional<double> time) : path_(std::move(path))
+DataFile::DataFile(std::string path, FileUse use, std::optional<double> time) : path_(std::move(path))
 {
     if (!namedKindHas(path_, kIsFolder)) fileBytes_ = checkReadableFile(path_);
     kind_ = &chooseKind(path_, use);
@@ -120,7 +113,8 @@ DataFile::DataFile(std::string path, Use use, std::optional<double> time) : path
         throw InputError(placeOf(messages), "its header cannot be read (" + messages.firstError() + ")", kind_->kind);
 
     vtkInformation* info = reader_->GetOutputInformation(0);
-    if (announces_) announced_ = kept_ = announcedBy(*reader_);
+    if (announces_)
+        announced_ = kept_ = vtkNrrdReader::SafeDownCast(reader_) ? announcedScalars(*info) : announced(*info);
     if (info->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS())) {
         const double* steps = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
         timeSteps_.assign(steps, steps + info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
@@ -222,44 +216,35 @@ void DataFile::forget()
     reader_->Modified();
 }
 
+vtkSmartPointer<vtkDataObject> DataFile::withLinearCells(vtkSmartPointer<vtkDataObject> data) const
+{
+    if (data) makeCellsLinear(*data, path_);
+    return data;
+}
+
 vtkSmartPointer<vtkDataObject> DataFile::readPieces(const PieceRun& run)
-{
-    auto data = piecesOf(run);
-    if (data) makeCellsLinear(*data, path_);
-    return data;
-}
-
-vtkSmartPointer<vtkDataObject> DataFile::read(const ProgressReport& progress, const char* what,
-                                              const std::optional<std::array<int, 6>>& extent)
-{
-    auto data = dataOf(progress, what, extent);
-    if (data) makeCellsLinear(*data, path_);
-    return data;
-}
-
-vtkSmartPointer<vtkDataObject> DataFile::piecesOf(const PieceRun& run)
 {
     if (own_) {
         announcedArrays();
-        return own_->readPieces(kept_, run);
+        return withLinearCells(own_->readPieces(kept_, run));
     }
     const int all = vtkXMLPDataObjectReader::SafeDownCast(reader_)->GetNumberOfPieces();
     const auto data = update([&] { reader_->UpdatePiece(run.begin, all, 0); });
     auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
     copy->ShallowCopy(data);  // The reader changes its own output when it reads the next piece.
-    return copy;
+    return withLinearCells(copy);
 }
 
-vtkSmartPointer<vtkDataObject> DataFile::dataOf(const ProgressReport& progress, const char* what,
-                                                const std::optional<std::array<int, 6>>& extent)
+vtkSmartPointer<vtkDataObject> DataFile::read(const ProgressReport& progress, const char* what,
+                                              const std::optional<std::array<int, 6>>& extent)
 {
     if (own_) {
         progress(what, 0);
         announcedArrays();
-        return own_->read(kept_);
+        return withLinearCells(own_->read(kept_));
     }
     requireMemoryToRead(extent);
-    if (!reader_) return format_->read(path_, progress);
+    if (!reader_) return withLinearCells(format_->read(path_, progress));
     ProgressTarget target{reader_, progress, what};
     vtkNew<vtkCallbackCommand> observer;
     observer->SetCallback(forwardProgress);
@@ -274,7 +259,7 @@ vtkSmartPointer<vtkDataObject> DataFile::dataOf(const ProgressReport& progress, 
         }
     });
     reader_->RemoveObserver(tag);
-    return data;
+    return withLinearCells(data);
 }
 
 }  // namespace aeolic

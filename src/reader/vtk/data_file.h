@@ -24,11 +24,9 @@ class VtkMessages;
 /// Every failure is an InputError with one line that begins with the file's name.
 class DataFile {
 public:
-    using Use = FileUse;
-
     /// Checks that the file exists and is of a kind fit for `use`, and reads its header. `time`: which of timeSteps()
     /// will be read, where the file has several; none: the first.
-    DataFile(std::string path, Use use, std::optional<double> time = std::nullopt);
+    DataFile(std::string path, FileUse use, std::optional<double> time = std::nullopt);
     ~DataFile();
 
     const char* kind() const { return kind_->kind; }  ///< "image data": what files of its ending hold.
@@ -81,9 +79,7 @@ public:
     void forget();
 
 private:
-    vtkSmartPointer<vtkDataObject> dataOf(const ProgressReport& progress, const char* what,
-                                          const std::optional<std::array<int, 6>>& extent);
-    vtkSmartPointer<vtkDataObject> piecesOf(const PieceRun& run);
+    vtkSmartPointer<vtkDataObject> withLinearCells(vtkSmartPointer<vtkDataObject> data) const;
     void requireMemoryToRead(const std::optional<std::array<int, 6>>& extent) const;
     std::string placeOf(const VtkMessages& messages) const;
     template <class Update>

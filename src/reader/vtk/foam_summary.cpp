@@ -1,4 +1,4 @@
-#include "reader/vtk/foam_summary.h"
+#include "reader/vtk/summarize.h"
 
 #include <fmt/format.h>
 #include <vtkType.h>
@@ -9,7 +9,6 @@
 
 #include "reader/openfoam/foam_surface.h"
 #include "reader/vtk/part_data_set.h"
-#include "reader/vtk/summarize.h"
 
 namespace aeolic {
 namespace {
@@ -35,7 +34,7 @@ int axisAcross(const PartMesh& mesh)
 std::map<double, std::vector<FoamField>> fieldsByTime(const FoamCase& foam)
 {
     std::map<double, std::vector<FoamField>> fieldsAt{{foam.firstTime(), {}}};
-    for (const FoamField& field : foamFieldsOfAllTimes(foam)) fieldsAt[field.times.front()].push_back(field);
+    for (const FoamField& field : foamFields(foam, foam.times)) fieldsAt[field.times.front()].push_back(field);
     return fieldsAt;
 }
 
@@ -58,7 +57,7 @@ FileSummary summaryOfFoam(const std::string& path, const ProgressReport& progres
             part.sideAcross = axisAcross(readFoamPatches(foam, {patch}, time, {}, all));
         summary.parts.push_back(std::move(part));
     }
-    const bool walls = std::any_of(patches.begin(), patches.end(), [](const FoamPart& p) { return p.type == "wall"; });
+    const bool walls = std::ranges::any_of(patches, [](const FoamPart& p) { return p.type == "wall"; });
     for (const auto& [at, fields] : fieldsByTime(foam)) {
         progress("reading", 0.5);
         std::vector<PartArray> arrays;

@@ -20,32 +20,19 @@
 #include "base/text.h"
 #include "data/named_file.h"
 #include "reader/ensight/ensight_case.h"
-#include "reader/ensight/ensight_parts.h"
-#include "reader/fluent/fluent_parts.h"
-#include "reader/lists/series_json.h"
+#include "reader/lists/series_files.h"
 #include "reader/openfoam/foam_parts.h"
-#include "reader/tecplot/tecplot_parts.h"
-#include "reader/vtk/foam_summary.h"
-#include "reader/vtk/legacy_file.h"
+#include "reader/parts/open_parts.h"
+#include "reader/vtk/format_readers.h"
 #include "reader/vtk/modules/modules.h"
-#include "reader/vtk/multi_block_file.h"
-#include "reader/vtk/obj_reader.h"
 #include "reader/vtk/part_blocks.h"
-#include "reader/vtk/ply_reader.h"
-#include "reader/vtk/pvd_file.h"
-#include "reader/vtk/surface_header.h"
+#include "reader/vtk/summarize.h"
 #include "reader/vtk/xml/xml_reader.h"
 #include "reader/vtk/xml/xml_tree.h"
 
 namespace aeolic {
 
 namespace {
-
-template <class Reader>
-using Xml = XmlReader<Reader>;
-
-template <class Reader, class Piece>
-using XmlPieces = XmlPiecesReader<Reader, Piece>;
 
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> make()
@@ -69,12 +56,6 @@ vtkSmartPointer<vtkAlgorithm> fromVtk()
 std::unique_ptr<OwnReader> openFoam(const std::string& path, FileUse use, std::optional<double> time)
 {
     return std::make_unique<PartBlocks>(openFoamCase(path, use, time), path, use);
-}
-
-template <vtkSmartPointer<vtkPolyData> (*Read)(const std::string&, const ProgressReport&)>
-vtkSmartPointer<vtkDataObject> read(const std::string& path, const ProgressReport& progress)
-{
-    return Read(path, progress);
 }
 
 std::vector<std::uint64_t> bytesOfPieces(const std::string& path, FileUse, const std::vector<std::string>&)
@@ -106,9 +87,9 @@ constexpr std::uint64_t kXml = 20000, kPlain = 100;
 constexpr FormatReader readers[] = {
     {.endings = ".foam .openfoam", .open = openFoam, .times = foamTimes, .pieces = foamPieces,
      .summary = summaryOfFoam},
-    {.endings = ".vtp", .unpacked = kXml, .makeReader = make<Xml<vtkXMLPolyDataReader>>,
+    {.endings = ".vtp", .unpacked = kXml, .makeReader = make<XmlReader<vtkXMLPolyDataReader>>,
      .counts = countsOfXml},
-    {.endings = ".pvtp", .makeReader = make<XmlPieces<vtkXMLPPolyDataReader, vtkXMLPolyDataReader>>, .pieces = bytesOfPieces},
+    {.endings = ".pvtp", .makeReader = make<XmlPiecesReader<vtkXMLPPolyDataReader, vtkXMLPolyDataReader>>, .pieces = bytesOfPieces},
     {.endings = ".vtm .vtmb", .open = openMultiBlock},
     {.endings = ".vthb", .open = openMultiBlock},
     {.endings = ".case .encas", .open = openEnSight, .times = timesOfEnSight},
@@ -121,19 +102,19 @@ constexpr FormatReader readers[] = {
     {.endings = ".msh", .unpacked = kPlain, .openParts = openFluentFile},
     {.endings = ".stl", .unpacked = kPlain, .makeReader = fromVtk<&VtkModule::makeStl>,
      .check = checkStl, .counts = countsOfStl},
-    {.endings = ".ply", .unpacked = kPlain, .read = read<readPly>, .counts = countsOfPly},
-    {.endings = ".obj", .unpacked = kPlain, .read = read<readObj>},
+    {.endings = ".ply", .unpacked = kPlain, .read = readPly, .counts = countsOfPly},
+    {.endings = ".obj", .unpacked = kPlain, .read = readObj},
     {.endings = ".vtk", .unpacked = kPlain, .read = readLegacy},
-    {.endings = ".vti", .unpacked = kXml, .makeReader = make<Xml<vtkXMLImageDataReader>>},
-    {.endings = ".pvti", .makeReader = make<XmlPieces<vtkXMLPImageDataReader, vtkXMLImageDataReader>>},
+    {.endings = ".vti", .unpacked = kXml, .makeReader = make<XmlReader<vtkXMLImageDataReader>>},
+    {.endings = ".pvti", .makeReader = make<XmlPiecesReader<vtkXMLPImageDataReader, vtkXMLImageDataReader>>},
     {.endings = ".nhdr", .makeReader = fromVtk<&VtkModule::makeNrrd>},
     {.endings = ".nrrd", .makeReader = fromVtk<&VtkModule::makeNrrd>},
-    {.endings = ".vtr", .unpacked = kXml, .makeReader = make<Xml<vtkXMLRectilinearGridReader>>},
-    {.endings = ".pvtr", .makeReader = make<XmlPieces<vtkXMLPRectilinearGridReader, vtkXMLRectilinearGridReader>>},
-    {.endings = ".vts", .unpacked = kXml, .makeReader = make<Xml<vtkXMLStructuredGridReader>>},
-    {.endings = ".pvts", .makeReader = make<XmlPieces<vtkXMLPStructuredGridReader, vtkXMLStructuredGridReader>>},
-    {.endings = ".vtu", .unpacked = kXml, .makeReader = make<Xml<vtkXMLUnstructuredGridReader>>},
-    {.endings = ".pvtu", .makeReader = make<XmlPieces<vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader>>, .pieces = bytesOfPieces},
+    {.endings = ".vtr", .unpacked = kXml, .makeReader = make<XmlReader<vtkXMLRectilinearGridReader>>},
+    {.endings = ".pvtr", .makeReader = make<XmlPiecesReader<vtkXMLPRectilinearGridReader, vtkXMLRectilinearGridReader>>},
+    {.endings = ".vts", .unpacked = kXml, .makeReader = make<XmlReader<vtkXMLStructuredGridReader>>},
+    {.endings = ".pvts", .makeReader = make<XmlPiecesReader<vtkXMLPStructuredGridReader, vtkXMLStructuredGridReader>>},
+    {.endings = ".vtu", .unpacked = kXml, .makeReader = make<XmlReader<vtkXMLUnstructuredGridReader>>},
+    {.endings = ".pvtu", .makeReader = make<XmlPiecesReader<vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader>>, .pieces = bytesOfPieces},
     {.endings = ".pvd", .listed = readPvdFile},
     {.endings = ".series", .listed = readSeriesFile},
     {.endings = ".json .xml .csv"},  // Read by data/color_map/, which asks for what stands in XML.
@@ -146,11 +127,6 @@ static_assert(std::ranges::equal(
               "each kind of file has its row here, in the same order");
 
 }  // namespace
-
-std::span<const FormatReader> formatReaders()
-{
-    return readers;
-}
 
 const FormatReader& formatOf(const FileKind& kind)
 {

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -46,9 +45,6 @@ struct FormatReader {
     std::vector<SeriesEntry> (*listed)(const std::string& path) = nullptr;                      ///< Of lists of files.
     FileSummary (*summary)(const std::string& path, const ProgressReport& progress) = nullptr;  ///< Null: by opening.
 };
-
-/// In the order of fileKinds.
-std::span<const FormatReader> formatReaders();
 
 /// What reads the files of the kind.
 const FormatReader& formatOf(const FileKind& kind);

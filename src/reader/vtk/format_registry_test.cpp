@@ -7,7 +7,6 @@ namespace {
 
 TEST(FormatRegistry, OneWayOpensEachKindOfData)
 {
-    ASSERT_EQ(formatReaders().size(), std::size(fileKinds));
     for (const FileKind& kind : fileKinds) {
         const FormatReader& row = formatOf(kind);
         const int ways = (row.openParts ? 1 : 0) + (row.open ? 1 : 0) + (row.makeReader ? 1 : 0) + (row.read ? 1 : 0);

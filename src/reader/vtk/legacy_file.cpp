@@ -1,4 +1,4 @@
-#include "reader/vtk/legacy_file.h"
+#include "reader/vtk/format_readers.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkDataObjectTypes.h>

@@ -1,14 +1,19 @@
-#include "reader/vtk/multi_block_file.h"
+#include "reader/vtk/format_readers.h"
 
 #include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "aeolic/error.h"
 #include "base/text.h"
-#include "reader/vtk/amr_levels.h"
 #include "reader/vtk/block_arrays.h"
 #include "reader/vtk/data_file.h"
 #include "reader/vtk/xml/xml_tree.h"
@@ -38,17 +43,83 @@ PartInfo partOf(const std::string& name, const std::vector<std::string>& groups,
     return {name, kind ? kind->kind : "unknown", groups, kind && kind->use == FileUse::surface ? 2 : 3};
 }
 
+/// A block of a data set that is refined in levels.
+struct LeveledBlock {
+    vtkSmartPointer<vtkDataObject> data;
+    int level = 0;
+};
+
+/// Middles of cells that lie so near to a block's border count as beside it, in widths of cells.
+constexpr double kSlack = 1e-6;
+
+vtkUnsignedCharArray& flagsOf(vtkImageData& grid)
+{
+    const char* const name = vtkDataSetAttributes::GhostArrayName();
+    vtkCellData& cells = *grid.GetCellData();
+    if (auto* flags = vtkUnsignedCharArray::SafeDownCast(cells.GetArray(name))) return *flags;
+    vtkSmartPointer<vtkUnsignedCharArray> made = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    made->SetName(name);
+    made->SetNumberOfValues(grid.GetNumberOfCells());
+    made->FillValue(0);
+    cells.AddArray(made);
+    return *vtkUnsignedCharArray::SafeDownCast(cells.GetArray(name));
+}
+
+/// The cells along an axis whose middles lie within a range: [first, last).
+std::array<int, 2> cellsWithin(vtkImageData& grid, int axis, double lo, double hi)
+{
+    const int cells = std::max(grid.GetDimensions()[axis] - 1, 1);
+    const double width = grid.GetSpacing()[axis], first = grid.GetOrigin()[axis] + grid.GetExtent()[2 * axis] * width;
+    if (grid.GetDimensions()[axis] < 2) return {0, 1};  // A flat grid.
+    if (!(width > 0) || !std::isfinite(width) || !std::isfinite(first)) return {0, 0};
+    const auto at = [&](double place) { return (place - first) / width - 0.5; };
+    const double begin = std::ceil(at(lo) + kSlack), end = std::floor(at(hi) - kSlack) + 1;
+    return {int(std::clamp(begin, 0.0, double(cells))), int(std::clamp(end, 0.0, double(cells)))};
+}
+
+void hideWithin(vtkImageData& grid, const double (&bounds)[6])
+{
+    std::array<std::array<int, 2>, 3> range{};
+    for (int axis = 0; axis < 3; ++axis) {
+        range[std::size_t(axis)] = cellsWithin(grid, axis, bounds[2 * axis], bounds[2 * axis + 1]);
+        if (range[std::size_t(axis)][0] >= range[std::size_t(axis)][1]) return;
+    }
+    vtkUnsignedCharArray& flags = flagsOf(grid);
+    const auto across = vtkIdType(std::max(grid.GetDimensions()[0] - 1, 1)),
+               down = vtkIdType(std::max(grid.GetDimensions()[1] - 1, 1));
+    for (int z = range[2][0]; z < range[2][1]; ++z)
+        for (int y = range[1][0]; y < range[1][1]; ++y)
+            for (int x = range[0][0]; x < range[0][1]; ++x) {
+                const vtkIdType cell = (vtkIdType(z) * down + y) * across + x;
+                flags.SetValue(cell, flags.GetValue(cell) | vtkDataSetAttributes::REFINEDCELL);
+            }
+}
+
+/// Marks those cells of uniform grids whose middle lies in a block of a finer level: that one is drawn instead. Other
+/// data stay as they are. Cost: O(cells), for blocks that overlap.
+void hideRefined(const std::vector<LeveledBlock>& blocks)
+{
+    for (const LeveledBlock& coarse : blocks)
+        for (const LeveledBlock& fine : blocks) {
+            if (fine.level <= coarse.level) continue;
+            auto* const grid = vtkImageData::SafeDownCast(coarse.data);
+            auto* const over = vtkImageData::SafeDownCast(fine.data);
+            if (!grid || !over || over->GetNumberOfCells() == 0) continue;
+            double bounds[6];
+            over->GetBounds(bounds);
+            hideWithin(*grid, bounds);
+        }
+}
+
 class MultiBlockFile : public OwnReader {
 public:
     MultiBlockFile(const std::string& path, FileUse use) : OwnReader(path, use) { findBlocks(path, 1, "", {}); }
 
-    const std::vector<ArrayInfo>& arrays() const override
+    const std::vector<ArrayInfo>& arrays() override
     {
         if (readers_.empty()) open();
         return arrays_;
     }
-
-    const std::vector<PartInfo>& parts() const override { return parts_; }
 
     void keepParts(const std::vector<std::string>& wanted) override
     {
@@ -56,7 +127,7 @@ public:
         readers_.clear();
     }
 
-    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
+    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) override
     {
         if (readers_.empty()) open();
         auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -81,7 +152,7 @@ private:
         const auto root = parseXml(file, "a VTK XML file");
         const std::string type = attributeOf(*root, "type");
         const auto primaries = childrenOf(*root, type);
-        const bool isKnown = std::find(std::begin(kTrees), std::end(kTrees), type) != std::end(kTrees);
+        const bool isKnown = std::ranges::find(kTrees, type) != std::end(kTrees);
         if (!isKnown || primaries.size() != 1)
             throw InputError(file, fmt::format("it has {} elements '{:.40}'", primaries.size(), type),
                              "one vtkMultiBlockDataSet, or one AMR data set");
@@ -107,8 +178,7 @@ private:
                                  "a number from 0");
             children.emplace_back(index, &child);
         }
-        std::stable_sort(children.begin(), children.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::ranges::stable_sort(children, [](const auto& a, const auto& b) { return a.first < b.first; });
         for (const auto& [index, child] : children) {
             const std::string kind = child->GetName(), level = attributeOf(*child, "level");
             const std::string own = level.empty() ? attributeOf(*child, "name") : "level" + level;
@@ -144,7 +214,7 @@ private:
     }
 
     /// The files of the blocks that are wanted, and all arrays that any of them has.
-    void open() const
+    void open()
     {
         arrays_.clear();
         for (const std::size_t part : chosen()) {
@@ -159,14 +229,12 @@ private:
         }
     }
 
-    std::vector<PartInfo> parts_;
     struct BlockFile {
         std::string name;
         int level;  // Or kNoLevel.
     };
-    std::vector<BlockFile> files_;  // Of each part.
-    mutable std::vector<ArrayInfo> arrays_;
-    mutable std::vector<std::pair<std::size_t, std::unique_ptr<DataFile>>> readers_;  // Of the parts that are wanted.
+    std::vector<BlockFile> files_;                                            // Of each part.
+    std::vector<std::pair<std::size_t, std::unique_ptr<DataFile>>> readers_;  // Of the parts that are wanted.
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "reader/vtk/obj_reader.h"
+#include "reader/vtk/format_readers.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
 
 #include <algorithm>
 #include <array>
@@ -102,10 +103,9 @@ private:
     {
         std::array<float, 3> numbers{};
         for (float& number : numbers) {
-            const std::string_view word = nextWord();
-            const char* const end = word.data() + word.size();
-            const auto [stop, error] = readReal(word.data(), end, number);
-            if (error != std::errc{} || stop != end) fail("three numbers");
+            const auto read = realIn<float>(nextWord());
+            if (!read) fail("three numbers");
+            number = *read;
         }
         return numbers;
     }
@@ -224,7 +224,7 @@ private:
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> readObj(const std::string& path, const ProgressReport& progress)
+vtkSmartPointer<vtkDataObject> readObj(const std::string& path, const ProgressReport& progress)
 {
     return ObjReader(path, progress).read();
 }

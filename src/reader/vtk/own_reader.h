@@ -22,11 +22,11 @@ public:
     virtual ~OwnReader() = default;
 
     /// The arrays of the parts that are kept, where the file says it part by part.
-    virtual const std::vector<ArrayInfo>& arrays() const = 0;
-    virtual std::vector<double> times() const { return {}; }
+    virtual const std::vector<ArrayInfo>& arrays() { return arrays_; }
+    const std::vector<double>& times() const { return times_; }
 
     /// Empty: it is all one. Else read() gives a multi-block data set of the parts that are kept, in this order.
-    virtual const std::vector<PartInfo>& parts() const = 0;
+    virtual const std::vector<PartInfo>& parts() { return parts_; }
 
     /// Leaves out all parts but these (data/part_choice.h); empty: the usual ones.
     virtual void keepParts(const std::vector<std::string>& wanted) { wanted_ = wanted; }
@@ -40,21 +40,24 @@ public:
     /// The cells will be looked up as they are, polyhedra whole.
     virtual void keepPolyhedra() {}
 
-    virtual vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const = 0;
+    virtual vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) = 0;
 
     /// These of the pieces alone as one data set, perhaps an empty one. Where its polygons stand among those of all
     /// pieces may be told (kTrianglesPlaces).
-    virtual vtkSmartPointer<vtkDataObject> readPieces(const std::vector<ArrayInfo>& kept, const PieceRun&) const
+    virtual vtkSmartPointer<vtkDataObject> readPieces(const std::vector<ArrayInfo>& kept, const PieceRun&)
     {
         return read(kept);
     }
 
 protected:
     /// The numbers of the parts that are kept.
-    std::vector<std::size_t> chosen() const { return chosenParts(parts(), wanted_, use_, path_); }
+    std::vector<std::size_t> chosen() { return chosenParts(parts(), wanted_, use_, path_); }
 
     const std::string path_;
     const FileUse use_;
+    std::vector<ArrayInfo> arrays_;
+    std::vector<double> times_;
+    std::vector<PartInfo> parts_;
 
 private:
     std::vector<std::string> wanted_;

@@ -34,6 +34,7 @@ void join(PartMesh& all, PartMesh part, const std::vector<PartArray>& arrays)
 PartBlocks::PartBlocks(std::unique_ptr<PartSource> source, const std::string& path, FileUse use)
     : OwnReader(path, use), source_(std::move(source))
 {
+    times_ = source_->times();
     for (const PartArray& array : source_->arrays())
         arrays_.push_back({array.name, array.onPoints, array.components, vtkTypeOf(array.type)});
 }
@@ -45,14 +46,14 @@ void PartBlocks::keepParts(const std::vector<std::string>& wanted)
     for (ArrayInfo& array : arrays_) array.activeVectors = !usual.empty() && array.name == usual;
 }
 
-vtkSmartPointer<vtkDataObject> PartBlocks::readPieces(const std::vector<ArrayInfo>& kept, const PieceRun& run) const
+vtkSmartPointer<vtkDataObject> PartBlocks::readPieces(const std::vector<ArrayInfo>& kept, const PieceRun& run)
 {
     source_->keepPieces(run);
     const auto blocks = read(kept);
     return vtkMultiBlockDataSet::SafeDownCast(blocks)->GetBlock(0);
 }
 
-vtkSmartPointer<vtkDataObject> PartBlocks::read(const std::vector<ArrayInfo>& kept) const
+vtkSmartPointer<vtkDataObject> PartBlocks::read(const std::vector<ArrayInfo>& kept)
 {
     std::vector<PartArray> arrays;
     std::vector<std::size_t> wanted;

@@ -16,9 +16,7 @@ class PartBlocks : public OwnReader {
 public:
     PartBlocks(std::unique_ptr<PartSource> source, const std::string& path, FileUse use);
 
-    const std::vector<ArrayInfo>& arrays() const override { return arrays_; }
-    std::vector<double> times() const override { return source_->times(); }
-    const std::vector<PartInfo>& parts() const override { return source_->parts(); }
+    const std::vector<PartInfo>& parts() override { return source_->parts(); }
     void keepParts(const std::vector<std::string>& wanted) override;
     void requireAtTime(const std::vector<std::string>& arrays) const override { source_->requireAtTime(arrays); }
     void keepPolyhedra() override { source_->keepPolyhedra(); }
@@ -26,14 +24,13 @@ public:
     /// A multi-block data set with the parts' names: polygons of a part that is faces, an unstructured grid of one that
     /// fills space. Every block has all `kept` arrays; values that the file does not have are NaN. Of a field, parts
     /// that have their points in common are one block.
-    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override;
+    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) override;
 
     /// The only block.
-    vtkSmartPointer<vtkDataObject> readPieces(const std::vector<ArrayInfo>& kept, const PieceRun& run) const override;
+    vtkSmartPointer<vtkDataObject> readPieces(const std::vector<ArrayInfo>& kept, const PieceRun& run) override;
 
 private:
     std::unique_ptr<PartSource> source_;
-    std::vector<ArrayInfo> arrays_;
 };
 
 }  // namespace aeolic

@@ -212,13 +212,7 @@ vtkSmartPointer<vtkPointSet> dataSetOf(PartMesh part, int dimension, const std::
     const std::vector<std::uint64_t> places = std::move(part.places);
     const DataSetMaker maker(std::move(part), dimension, where);
     auto set = maker.make();
-    if (!places.empty()) {
-        vtkNew<vtkTypeUInt64Array> all;
-        all->SetName(kTrianglesPlaces);
-        all->SetNumberOfValues(vtkIdType(places.size()));
-        std::copy(places.begin(), places.end(), all->GetPointer(0));
-        set->GetCellData()->AddArray(all);
-    }
+    if (!places.empty()) set->GetCellData()->AddArray(arrayOf<vtkTypeUInt64Array>(kTrianglesPlaces, 1, places));
     for (std::size_t i = 0; i < arrays.size(); ++i) {
         const PartArray& array = arrays[i];
         valuesOf(*set, array.onPoints).AddArray(maker.values(array, i < values.size() ? values[i] : nullptr));

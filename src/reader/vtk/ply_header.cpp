@@ -64,7 +64,7 @@ template <class Item>
 void add(std::vector<Item>& items, Item item, const std::string& path, const std::string& line)
 {
     const auto same = [&](const Item& other) { return other.name == item.name; };
-    if (std::any_of(items.begin(), items.end(), same)) fail(path, line, "each name once");
+    if (std::ranges::any_of(items, same)) fail(path, line, "each name once");
     items.push_back(std::move(item));
 }
 

@@ -1,4 +1,4 @@
-#include "reader/vtk/ply_reader.h"
+#include "reader/vtk/format_readers.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -6,10 +6,10 @@
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -38,11 +38,7 @@ public:
 private:
     std::optional<double> nextText()
     {
-        double value = 0;
-        if (!(file_ >> word_)) return std::nullopt;
-        const char* end = word_.data() + word_.size();
-        const auto [stop, error] = readReal(word_.data(), end, value);  // "nan" and "inf" are numbers here.
-        return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
+        return file_ >> word_ ? realIn<double>(word_) : std::nullopt;  // "nan" and "inf" are numbers here.
     }
 
     std::optional<double> nextBinary(NumberType type)
@@ -123,7 +119,7 @@ private:
         std::vector<int> slots;  // For each property which of the six numbers above it is, or -1.
         int known = 0;
         for (const PlyProperty& property : element.properties) {
-            const auto* name = std::find(std::begin(names), std::end(names), property.isList ? "" : property.name);
+            const auto* name = std::ranges::find(names, property.isList ? "" : property.name);
             slots.push_back(name == std::end(names) ? -1 : int(name - names));
             if (slots.back() >= 0) known |= 1 << slots.back();
             if (slots.back() == 0 && property.type == NumberType::float64) points_->SetDataTypeToDouble();
@@ -141,7 +137,7 @@ private:
 
     void readFaces(const PlyElement& element)
     {
-        if (std::none_of(element.properties.begin(), element.properties.end(), isCorners))
+        if (std::ranges::none_of(element.properties, isCorners))
             throw InputError(path_, "a face has no list of vertices", "a list vertex_indices");
         const auto takeList = [&](const PlyProperty& property, std::uint64_t face) {
             if (isCorners(property)) insertFace(face);
@@ -222,7 +218,7 @@ private:
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> readPly(const std::string& path, const ProgressReport& progress)
+vtkSmartPointer<vtkDataObject> readPly(const std::string& path, const ProgressReport& progress)
 {
     return PlyReader(path, progress).read();
 }

@@ -1,4 +1,4 @@
-#include "reader/vtk/pvd_file.h"
+#include "reader/lists/series_files.h"
 
 #include <fmt/format.h>
 #include <vtkXMLDataElement.h>

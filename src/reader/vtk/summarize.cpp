@@ -22,10 +22,9 @@
 #include "data/named_file.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/checks/cell_checks.h"
-#include "data/vtk/data_kind.h"
+#include "data/vtk/data_objects.h"
 #include "data/vtk/grid/straight_image.h"
 #include "data/vtk/joined_arrays.h"
-#include "data/vtk/surface/blocks.h"
 #include "reader/vtk/data_file.h"
 #include "reader/vtk/format_registry.h"
 
@@ -98,7 +97,7 @@ void addArrays(vtkDataSet& data, const std::vector<ArrayInfo>& infos, std::vecto
     for (const ArrayInfo& info : infos) {
         if (isMaskName(info.name)) continue;
         const ArraySummary summary = summarize(data, info);
-        const auto same = std::find_if(arrays.begin(), arrays.end(), [&](const ArraySummary& a) {
+        const auto same = std::ranges::find_if(arrays, [&](const ArraySummary& a) {
             return a.name == summary.name && a.association == summary.association;
         });
         if (same == arrays.end()) {
@@ -212,7 +211,7 @@ void addParts(vtkDataObject& data, const std::vector<PartInfo>& infos, FileSumma
         summary.parts.push_back(std::move(part));
     }
     const auto flows = [](const PartSummary& part) { return !part.vectors.empty(); };
-    if (std::any_of(summary.parts.begin(), summary.parts.end(), flows)) return;
+    if (std::ranges::any_of(summary.parts, flows)) return;
     std::size_t next = 0;  // A run that starts from rest.
     for (const Block& block : blocksOf(*blocks)) {
         PartSummary& part = summary.parts[next++];
@@ -245,7 +244,7 @@ FileSummary summaryOf(const std::string& path, const ProgressReport& progress)
 {
     const FileKind* kind = namedKind(path);
     if (kind && formatOf(*kind).summary) return formatOf(*kind).summary(path, progress);
-    DataFile reader(path, DataFile::Use::any);
+    DataFile reader(path, FileUse::any);
     const auto data = reader.read(progress, "reading");
     requireSoundData(*data, path);
     const std::vector<PartInfo> infos = reader.parts();
@@ -256,7 +255,7 @@ FileSummary summaryOf(const std::string& path, const ProgressReport& progress)
     const std::vector<vtkDataSet*> sets = dataSetsOf(*data);
     summary.blocks = kind->has(kHasBlocks) ? std::int64_t(sets.size()) : 0;
     summary.isSurface =
-        std::any_of(sets.begin(), sets.end(), [](vtkDataSet* s) { return s->GetDataObjectType() == VTK_POLY_DATA; });
+        std::ranges::any_of(sets, [](vtkDataSet* s) { return s->GetDataObjectType() == VTK_POLY_DATA; });
     addParts(*data, infos, summary);
     for (std::size_t i = 0; i < sets.size(); ++i) {
         progress("reading", 1);

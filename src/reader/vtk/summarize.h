@@ -15,6 +15,10 @@ namespace aeolic {
 /// would throw.
 FileSummary summaryOf(const std::string& path, const ProgressReport& progress);
 
+/// That of an OpenFOAM case: of its patches at its first time, and of each field at the first time that has it. The
+/// cells are not read. Throws InputError.
+FileSummary summaryOfFoam(const std::string& path, const ProgressReport& progress);
+
 /// Enters a data set's points, cells, bounds and arrays.
 void addDataSet(vtkDataSet& data, FileSummary& summary);
 

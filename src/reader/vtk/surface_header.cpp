@@ -1,4 +1,4 @@
-#include "reader/vtk/surface_header.h"
+#include "reader/vtk/format_readers.h"
 
 #include <fmt/format.h>
 #include <vtkNew.h>

@@ -1,7 +1,5 @@
 #include "render/gl/gl_backend.h"
 
-#include <algorithm>
-
 #include "render/brick_image.h"
 #include "render/flatten.h"
 #include "render/gl/device/context.h"

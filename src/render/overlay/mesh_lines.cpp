@@ -5,7 +5,6 @@
 
 #include "base/parallel.h"
 #include "data/mesh/mesh_edges.h"
-#include "data/mesh/same_points.h"
 
 namespace aeolic {
 namespace {
@@ -43,7 +42,8 @@ std::vector<Stroke> strokesIn(std::size_t count, const Find& find)
 template <class Visit>
 void forEachEdge(const SurfaceMesh& mesh, const Visit& visit)
 {
-    const std::vector<std::uint32_t> ring = ringEdges(joinedTriangles(mesh), mesh.positions.size());
+    const std::vector<std::uint32_t> ring =
+        ringEdges(joinedTriangles(mesh.triangles, mesh.positions), mesh.positions.size());
     std::vector<bool> isVisited(ring.size());
     std::vector<std::uint32_t> halfEdges;
     for (std::uint32_t h = 0; h < ring.size(); ++h) {

@@ -8,6 +8,13 @@ using Rgb8 = std::array<std::uint8_t, 3>;
 // The vermilion and the blue, made darker, of Okabe and Ito, "Color universal design" (2008).
 constexpr Rgb8 kTo{213, 94, 0}, kFrom{0, 84, 150}, kNeither{20, 20, 20}, kCasing{255, 255, 255};
 
+/// Okabe and Ito's reddish purple, made darker: no other overlay has it.
+constexpr Rgb8 kThrough{130, 30, 100};
+constexpr StrokeLook kComes{kThrough, kCasing, 1.6f, 1.4f, 12}, kLeaves{kThrough, kCasing, 2.6f, 1.6f, 15};
+
+/// Heads are this part of the surface's size apart.
+constexpr double kHeadsApart = 0.08;
+
 MarkShape shapeOf(CriticalKind kind)
 {
     switch (kind) {
@@ -60,6 +67,22 @@ std::vector<SurfaceLines::Style> openLines(const StreamlineSurface& surface, con
         style.lines.push_back(std::move(points));
     }
     return {std::move(from), std::move(to)};
+}
+
+std::vector<SurfaceLines::Style> streamlineThrough(const StreamlineSurface& surface, const glm::dvec3& pointWorld)
+{
+    if (surface.area() == 0) return {};
+    const SurfacePlace place = surface.nearest(pointWorld);
+    const auto unit = float(surface.unitWorld());
+    auto parts = surface.through(place);
+    std::vector<SurfaceLines::Style> styles{{kComes, {}, {}}, {kLeaves, {}, {}}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (glm::vec3& point : parts[i]) point *= unit;
+        addHeads(parts[i], kHeadsApart * surface.size() * surface.unitWorld(), styles[i]);
+        styles[i].lines.push_back(std::move(parts[i]));
+    }
+    styles[1].marks.push_back({surface.at(place) * unit, MarkShape::disc});
+    return styles;
 }
 
 }  // namespace aeolic

@@ -16,4 +16,8 @@ std::vector<SurfaceLines::Style> topologyLines(const SurfaceTopology& topology, 
 /// goes.
 std::vector<SurfaceLines::Style> openLines(const StreamlineSurface& surface, const std::vector<SeparationLine>& lines);
 
+/// The streamline through the place of a surface that is nearest to a point, with heads that tell which way it goes,
+/// and the place itself. What comes to the place is thinner than what leaves it.
+std::vector<SurfaceLines::Style> streamlineThrough(const StreamlineSurface& surface, const glm::dvec3& pointWorld);
+
 }  // namespace aeolic

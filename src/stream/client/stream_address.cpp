@@ -1,6 +1,7 @@
 #include "stream/client/stream_address.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "aeolic/error.h"
 #include "base/text.h"
@@ -34,11 +35,8 @@ StreamAddress parseStreamAddress(const std::string& address)
     result.port = hasPort ? authority.substr(colon + 1) : result.secure ? "443" : "80";
     if (result.host.size() >= 2 && result.host.front() == '[')
         result.host = result.host.substr(1, result.host.size() - 2);
-    const bool isNumber =
-        !result.port.empty() && result.port.size() <= 5 &&
-        std::all_of(result.port.begin(), result.port.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
-        std::stoi(result.port) <= 65535;
-    if (result.host.empty() || !isNumber) refuse(address);
+    const bool isPort = result.port.size() <= 5 && wholeTextAs<std::uint16_t>(result.port);
+    if (result.host.empty() || !isPort) refuse(address);
     query = query.substr(0, query.find('#'));
     for (const char* mark : {"?token=", "&token="})
         if (const std::size_t at = query.find(mark); at != query.npos)

@@ -62,8 +62,7 @@ StreamClient::StreamClient(const std::string& address, const Options& options) :
         if (available(codec) && (codec != Codec::jpeg || options.lossy))
             codecs.push_back(std::string(codecName(codec)));
     const Json hello{{"codecs", codecs}, {"direct", false}, {"name", options.name}};
-    s.socket->send(jsonMessage(MessageType::hello, hello.dump(-1, ' ', false, Json::error_handler_t::replace)),
-                   options.timeout);
+    s.socket->send(jsonMessage(MessageType::hello, jsonText(hello)), options.timeout);
     while (s.viewer == 0) s.step();
 }
 

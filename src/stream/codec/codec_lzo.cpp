@@ -12,12 +12,6 @@
 namespace aeolic::stream {
 namespace {
 
-/// LZO's own bound for data that does not shrink.
-std::size_t mostEncodedBytes(std::size_t bytes)
-{
-    return bytes + bytes / 16 + 64 + 3;
-}
-
 /// LZO refuses to work where it was compiled for another machine than it runs on.
 void startLzo()
 {
@@ -30,7 +24,8 @@ void startLzo()
 void encodeLzo(const Pixels& pixels, int, std::vector<std::uint8_t>& out)
 {
     startLzo();
-    const Scratch scratch(pixels.bytes() + mostEncodedBytes(pixels.bytes()));
+    const std::size_t mostEncoded = pixels.bytes() + pixels.bytes() / 16 + 64 + 3;  // Of data that does not shrink.
+    const Scratch scratch(pixels.bytes() + mostEncoded);
     std::uint8_t *filtered = scratch.data(), *block = filtered + pixels.bytes();
     const auto work = std::make_unique_for_overwrite<lzo_align_t[]>(LZO1X_1_MEM_COMPRESS / sizeof(lzo_align_t) + 1);
     filterRows(pixels.data, pixels.width, pixels.rows, pixels.channels, filtered);

@@ -77,7 +77,8 @@ bool readFile(PngJob& job, const PixelRoom& out)
 void encodePng(const Pixels& pixels, int, std::vector<std::uint8_t>& out)
 {
     try {
-        appendPng({pixels.data, pixels.width, pixels.rows, pixels.channels}, kEffort, out);
+        writePngTo({pixels.data, pixels.width, pixels.rows, pixels.channels}, kEffort,
+                   [&](const std::uint8_t* piece, std::size_t count) { out.insert(out.end(), piece, piece + count); });
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(std::string("PNG could not encode a tile: ") + error.what());
     }

@@ -17,28 +17,13 @@ bool isRuler(std::string_view line)
     return line.size() >= kShortestRuler && line.find_first_not_of("-=*") == line.npos;
 }
 
-std::string_view trimmed(std::string_view line)
-{
-    const std::size_t begin = line.find_first_not_of(" \t\r");
-    return begin == line.npos ? std::string_view() : line.substr(begin, line.find_last_not_of(" \t\r") - begin + 1);
-}
-
-std::vector<std::string_view> linesOf(std::string_view text)
-{
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        if (const std::string_view line = trimmed(text.substr(0, end)); !line.empty()) lines.push_back(line);
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
-
 }  // namespace
 
 std::string lastWords(std::string_view written)
 {
-    std::vector<std::string_view> lines = linesOf(written);
+    std::vector<std::string_view> lines = splitText(written, '\n');
+    for (std::string_view& line : lines) line = trimmedText(line);
+    std::erase(lines, "");
     if (!lines.empty() && isRuler(lines.back())) {
         lines.pop_back();
         const auto ruler = std::find_if(lines.rbegin(), lines.rend(), isRuler);

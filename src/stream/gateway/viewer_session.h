@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 
-#include "stream/gateway/hub/common_rate.h"
 #include "stream/gateway/hub/hub.h"
 #include "stream/outgoing.h"
 #include "stream/web_connection.h"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "stream/listen.h"
+
 namespace aeolic::stream {
 namespace {
 
@@ -10,8 +12,8 @@ namespace ip = boost::asio::ip;
 /// One client: a host's IPv4 address, or the 64 bits of an IPv6 address within which a host can call itself anything.
 ip::address clientOf(const ip::address& address)
 {
-    if (address.is_v4()) return address;
-    if (address.to_v6().is_v4_mapped()) return ip::make_address_v4(ip::v4_mapped, address.to_v6());
+    const ip::address plain = plainAddress(address);
+    if (plain.is_v4()) return plain;
     ip::address_v6::bytes_type bytes = address.to_v6().to_bytes();
     std::fill(bytes.begin() + 8, bytes.end(), static_cast<unsigned char>(0));
     return ip::address_v6(bytes);

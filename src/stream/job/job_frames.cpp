@@ -17,11 +17,6 @@
 namespace aeolic::stream {
 namespace {
 
-std::string textOf(const Json& json)
-{
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 // Rows of a band: whole MCUs of any JPEG, enough bands for all cores, and few enough that each compresses well.
 constexpr int kBandRows = 64;
 
@@ -111,7 +106,7 @@ JobFrames::JobFrames(std::shared_ptr<Communicator> ranks, JobLink& link, TileSer
 
 void JobFrames::say(MessageType type, const Json& json)
 {
-    if (ranks_->isRoot()) link_.send(jsonMessage(type, textOf(json)));
+    if (ranks_->isRoot()) link_.send(jsonMessage(type, jsonText(json)));
 }
 
 void JobFrames::complain(const std::string& message, const char* what, const Json& number)
@@ -125,7 +120,7 @@ void JobFrames::report(Json report, const Json& load)
     if (!load.is_null()) report["load"] = load;
     // The gateway adds the surface, which a viewer has named in one message.
     constexpr std::size_t room = 64 << 10;
-    const std::size_t bytes = textOf(report).size() + room;
+    const std::size_t bytes = jsonText(report).size() + room;
     const std::size_t most = payloadLimit(std::uint8_t(MessageType::scene), Sender::rank);
     if (bytes > most)
         return complain(InputError("scene", "found " + std::to_string(bytes >> 10) + " KiB of times, arrays and names",
@@ -220,7 +215,7 @@ void JobFrames::sayFrameEnd(const Renderer& renderer, const Started& frame, doub
                    {"warnings", frame.warnings},
                    {"ranks", ranks},
                    {"legend", stripe_.legend ? Json(*stripe_.legend) : Json()}};
-    link_.send(frameEndMessage(frame.request.frame, textOf(end)));
+    link_.send(frameEndMessage(frame.request.frame, jsonText(end)));
 }
 
 }  // namespace aeolic::stream

@@ -29,11 +29,6 @@ JobLink::JobLink(const GatewayAddress& address, const Json& about, std::function
     thread_ = std::thread([this] { io_.run(); });
 }
 
-JobLink::~JobLink()
-{
-    close();
-}
-
 void JobLink::meet(const GatewayAddress& address, const Json& about)
 {
     const TlsSide tls = address.fingerprint.empty() ? nullptr : makeTlsClient(address.fingerprint);

@@ -25,7 +25,7 @@ public:
     /// Invite message, whatever the rank is doing.
     JobLink(const GatewayAddress& address, const Json& about, std::function<void()> onEnd,
             std::function<void(const MessageView&)> onInvite = {});
-    ~JobLink();
+    ~JobLink() { close(); }
 
     /// Waits for the next message. Throws std::runtime_error where none will come, because the link has ended.
     WireMessage receive();

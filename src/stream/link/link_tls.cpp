@@ -89,8 +89,6 @@ LinkTls::LinkTls(const TlsSide& side, bool isServer) : side_(side), ssl_(SSL_new
     isServer ? SSL_set_accept_state(ssl_.get()) : SSL_set_connect_state(ssl_.get());
 }
 
-LinkTls::~LinkTls() = default;
-
 bool LinkTls::shakeHands()
 {
     ERR_clear_error();

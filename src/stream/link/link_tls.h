@@ -25,7 +25,6 @@ TlsSide makeTlsClient(const std::string& fingerprint);
 class LinkTls {
 public:
     LinkTls(const TlsSide& side, bool isServer);
-    ~LinkTls();
 
     /// Goes on with the handshake. False while bytes of the other end are needed. The wire bytes are taken by
     /// takeOut().

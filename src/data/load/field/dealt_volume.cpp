@@ -9,6 +9,13 @@
 #include "data/load/scene_facts.h"
 
 namespace aeolic {
+
+template <PerhapsConst<SurfaceZone> Zone, class Visit>
+void withMembers(Zone& zone, const Visit& visit)
+{
+    visit(zone.triangles, zone.reachWorld);
+}
+
 namespace {
 
 using Shell = CellVolume::Shell;
@@ -50,20 +57,10 @@ void append(Shell& shell, const Bytes& message)
     }
 }
 
-Bytes messageOf(const SurfaceZone& zone)
-{
-    ByteWriter writer;
-    writer.add(zone.triangles);
-    writer.add(zone.reachWorld);
-    return writer.take();
-}
-
 SurfaceZone zoneOf(const Bytes& message)
 {
     SurfaceZone zone(std::vector<glm::dvec3>{}, {});
-    ByteReader reader(message);
-    reader.read(zone.triangles);
-    reader.read(zone.reachWorld);
+    ByteReader(message).read(zone);
     return zone;
 }
 
@@ -121,7 +118,7 @@ Shell shellAround(const DealtVolume& volume, SurfaceZone zone, double diagonals,
     for (int rank = 0; rank < rounds; ++rank) {
         const bool mine = !inPieces || rank == agreement.part().rank;
         Bytes asked;
-        if (inPieces) asked = agreement.gatherAll(mine ? messageOf(zone) : Bytes{})[std::size_t(rank)];
+        if (inPieces) asked = agreement.gatherAll(mine ? byteMessage(zone) : Bytes{})[std::size_t(rank)];
         Bytes cells;
         agreement.together([&] { cells = ownCells(volume, inPieces ? zoneOf(asked) : zone, diagonals); });
         const std::vector<Bytes> all = agreement.gatherAll(std::move(cells));

@@ -18,20 +18,9 @@ void withMembers(Field& field, const Visit& visit)
 
 namespace {
 
-void addGrid(ByteWriter& writer, const std::shared_ptr<const GridField>& field)
+std::optional<GridField> gridOf(const std::shared_ptr<const GridField>& field)
 {
-    writer.add(std::uint8_t(field != nullptr));
-    if (field) writer.add(*field);
-}
-
-std::shared_ptr<GridField> readGrid(ByteReader& reader)
-{
-    std::uint8_t there = 0;
-    reader.read(there);
-    if (!there) return nullptr;
-    auto field = std::make_shared<GridField>();
-    reader.read(*field);
-    return field;
+    return field ? std::optional(*field) : std::nullopt;
 }
 
 /// Whether samples of the one can be taken for those of the other.
@@ -40,10 +29,9 @@ bool isLaidOutLike(const GridField& a, const GridField& b)
     return a.dims == b.dims && a.components == b.components && a.precision == b.precision && a.tiled == b.tiled;
 }
 
-/// `mine`: what this rank has read, or null; `field`: what the first rank has read. `file`: its name.
-std::shared_ptr<const GridField> shareGrid(const std::shared_ptr<const GridField>& mine,
-                                           const std::shared_ptr<GridField>& field, const std::string& file,
-                                           Agreement& agreement)
+/// `mine`: what this rank has read, or null; `field`: what the first rank has read, without samples. `file`: its name.
+std::shared_ptr<const GridField> shareGrid(const std::shared_ptr<const GridField>& mine, std::optional<GridField> field,
+                                           const std::string& file, Agreement& agreement)
 {
     if (!field) return nullptr;
     const bool gives = agreement.isFirstOnHost();
@@ -52,7 +40,7 @@ std::shared_ptr<const GridField> shareGrid(const std::shared_ptr<const GridField
             throw InputError(file, "it holds another grid than on the first host", "the same file on every host");
     });
     field->samples = agreement.shareOnHost(gives ? mine->samples : nullptr, gives ? mine->bytes() : 0);
-    return field;
+    return std::make_shared<const GridField>(std::move(*field));
 }
 
 }  // namespace
@@ -63,26 +51,19 @@ void shareStep(FieldStep& step, Agreement& agreement)
     agreement.together([&] {
         if (agreement.part().rank > 0) return;
         ByteWriter writer;
-        writer.add(static_cast<const FieldFacts&>(step));
-        addGrid(writer, step.vectors);
-        addGrid(writer, step.scalar);
-        writer.add(std::uint8_t(step.readCells != nullptr));
-        writer.add(std::uint64_t(step.cuts.size()));
+        writer.addAll(static_cast<const FieldFacts&>(step), gridOf(step.vectors), gridOf(step.scalar),
+                      step.readCells != nullptr, std::uint64_t(step.cuts.size()));
         for (const auto& cut : step.cuts) writer.add(cut ? messageOf(*cut) : Bytes{});
         message = writer.take();
     });
     message = agreement.ofFirst(std::move(message));
     FieldStep all;
-    std::shared_ptr<GridField> vectors, scalar;
-    std::uint8_t hasCells = 0;
+    std::optional<GridField> vectors, scalar;
+    bool hasCells = false;
     agreement.together([&] {
         ByteReader reader(message);
-        reader.read(static_cast<FieldFacts&>(all));
-        vectors = readGrid(reader);
-        scalar = readGrid(reader);
-        reader.read(hasCells);
         std::uint64_t cuts = 0;
-        reader.read(cuts);
+        reader.readAll(static_cast<FieldFacts&>(all), vectors, scalar, hasCells, cuts);
         all.cuts.resize(cuts);
         for (auto& cut : all.cuts) {
             std::span<const std::byte> surface;
@@ -91,8 +72,8 @@ void shareStep(FieldStep& step, Agreement& agreement)
         }
     });
     message = {};
-    all.vectors = shareGrid(step.vectors, vectors, all.name, agreement);
-    all.scalar = shareGrid(step.scalar, scalar, all.name, agreement);
+    all.vectors = shareGrid(step.vectors, std::move(vectors), all.name, agreement);
+    all.scalar = shareGrid(step.scalar, std::move(scalar), all.name, agreement);
     if (hasCells) {
         std::vector<std::shared_ptr<const CellVolume>> own;
         if (agreement.part().rank == 0) own.push_back(step.readCells);

@@ -5,8 +5,8 @@
 
 #include "aeolic/error.h"
 #include "data/load/loaded_scene.h"
-#include "data/mesh/mesh_topology_testing.h"
-#include "data/vtk/sample_files.h"
+#include "data/mesh/testing/mesh_topology_testing.h"
+#include "data/vtk/testing/sample_files.h"
 #include "describe_testing.h"
 
 /// What vtkGhostType hides is left out in the same way from every kind of grid: what is shown is closed.

@@ -5,7 +5,7 @@
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "describe_testing.h"
 
 /// Vectors that files of VTK's formats have as scalars, with two components, or as whole numbers.

@@ -9,7 +9,7 @@
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "load_testing.h"
 
 namespace aeolic {

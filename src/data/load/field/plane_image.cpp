@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "aeolic/error.h"
 #include "data/load/scene_sources.h"
 #include "data/vtk/file_reader.h"
 #include "description/option_table.h"
-#include "description/surface_spec.h"
 
 namespace aeolic {
 

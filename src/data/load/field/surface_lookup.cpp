@@ -1,6 +1,5 @@
 #include "data/load/field/surface_lookup.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "data/cells/refine.h"

@@ -12,7 +12,7 @@
 #include "data/fingerprint.h"
 #include "data/load/blank_surface.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 #include "load_testing.h"
 
 namespace aeolic {

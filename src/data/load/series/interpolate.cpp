@@ -1,7 +1,6 @@
 #include "data/load/series/interpolate.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

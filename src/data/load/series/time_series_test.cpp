@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "aeolic/error.h"
-#include "data/vtk/sample_files.h"
+#include "data/vtk/testing/sample_files.h"
 
 namespace aeolic {
 namespace {

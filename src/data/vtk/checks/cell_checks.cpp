@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 
 #include "aeolic/error.h"
 #include "base/parallel.h"
@@ -26,16 +25,7 @@
 namespace aeolic {
 namespace {
 
-/// Calls test(begin, end) for ranges that cover [0, count). Whether it holds for all.
-template <class Test>
-bool holdsForAll(vtkIdType count, const Test& test)
-{
-    std::atomic<bool> all = true;
-    parallelRanges(std::size_t(count), 1 << 16, [&](std::size_t begin, std::size_t end) {
-        if (!test(begin, end)) all = false;
-    });
-    return all;
-}
+constexpr std::size_t kIdsAtOnce = 1 << 16, kCellsAtOnce = 1 << 14;
 
 template <class Array>
 bool areSurelySound(Array& offsets, Array& corners, vtkIdType points)
@@ -44,8 +34,9 @@ bool areSurelySound(Array& offsets, Array& corners, vtkIdType points)
     const auto *first = offsets.GetPointer(0), *ids = corners.GetPointer(0);
     if (cells < 0 || corners.GetNumberOfComponents() != 1) return false;
     if (first[0] != 0 || first[cells] != corners.GetNumberOfValues()) return false;
-    return holdsForAll(cells, [&](auto begin, auto end) { return std::is_sorted(first + begin, first + end + 1); }) &&
-           holdsForAll(corners.GetNumberOfValues(), [&](auto begin, auto end) {
+    return holdsForAll(std::size_t(cells), kIdsAtOnce,
+                       [&](auto begin, auto end) { return std::is_sorted(first + begin, first + end + 1); }) &&
+           holdsForAll(std::size_t(corners.GetNumberOfValues()), kIdsAtOnce, [&](auto begin, auto end) {
                vtkIdType signs = 0;  // Negative as soon as one is. A loop without branches handles several at once.
                for (auto k = begin; k < end; ++k) signs |= vtkIdType(ids[k]) | (points - 1 - vtkIdType(ids[k]));
                return signs >= 0;
@@ -167,8 +158,7 @@ bool areSimple(vtkUnstructuredGrid& grid, Array& offsets)
 {
     const unsigned char* types = grid.GetCellTypesArray()->GetPointer(0);
     const auto* first = offsets.GetPointer(0);
-    std::atomic<bool> all = true;
-    parallelRanges(std::size_t(grid.GetNumberOfCells()), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    return holdsForAll(std::size_t(grid.GetNumberOfCells()), kCellsAtOnce, [&](std::size_t begin, std::size_t end) {
         Corners corners;
         int known = -1;
         for (std::size_t cell = begin; cell < end; ++cell) {
@@ -178,10 +168,10 @@ bool areSimple(vtkUnstructuredGrid& grid, Array& offsets)
             }
             const vtkIdType size = first[cell + 1] - first[cell];
             const bool fits = size >= corners.least && (corners.most < 0 || size <= corners.most);
-            if (corners.least < 0 || !fits || known == VTK_POLYHEDRON) all = false;
+            if (corners.least < 0 || !fits || known == VTK_POLYHEDRON) return false;
         }
+        return true;
     });
-    return all;
 }
 
 bool areSimple(vtkUnstructuredGrid& grid)

@@ -9,7 +9,7 @@
 
 #include "aeolic/error.h"
 #include "base/half.h"
-#include "data/vtk/data_kind.h"
+#include "data/vtk/data_objects.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/grid/grid_file_state.h"
 #include "data/vtk/grid/grid_volume.h"

@@ -2,7 +2,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "aeolic/error.h"
-#include "data/vtk/data_kind.h"
+#include "data/vtk/data_objects.h"
 #include "data/vtk/grid/grid_file_state.h"
 #include "data/vtk/joined_arrays.h"
 #include "data/vtk/surface/cut.h"

@@ -10,9 +10,9 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/arrays.h"
+#include "data/vtk/data_objects.h"
 #include "data/vtk/grid/cell_means.h"
 #include "data/vtk/messages.h"
-#include "data/vtk/surface/blocks.h"
 
 namespace aeolic {
 

@@ -8,7 +8,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
@@ -73,12 +72,9 @@ void checkView(const ArrayView& view, const std::string& where)
 bool allFinite(const vtkFloatArray& array)
 {
     const float* values = const_cast<vtkFloatArray&>(array).GetPointer(0);
-    std::atomic<bool> finite{true};
-    parallelRanges(std::size_t(array.GetNumberOfValues()), grain, [&](std::size_t begin, std::size_t end) {
-        if (!std::all_of(values + begin, values + end, [](float value) { return std::isfinite(value); }))
-            finite = false;
+    return holdsForAll(std::size_t(array.GetNumberOfValues()), grain, [&](std::size_t begin, std::size_t end) {
+        return std::all_of(values + begin, values + end, [](float value) { return std::isfinite(value); });
     });
-    return finite;
 }
 
 bool hasMasks(vtkDataSet& data, bool onPoints)

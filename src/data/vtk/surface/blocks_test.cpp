@@ -1,4 +1,4 @@
-#include "data/vtk/surface/blocks.h"
+#include "data/vtk/data_objects.h"
 
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
@@ -17,8 +17,8 @@
 #include "aeolic/error.h"
 #include "data/load/file_info.h"
 #include "data/load/loaded_scene.h"
-#include "data/vtk/sample_files.h"
 #include "data/vtk/surface/surface_file.h"
+#include "data/vtk/testing/sample_files.h"
 
 namespace aeolic {
 namespace {

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <span>
 #include <tuple>
 
 #include "base/large_memory.h"
@@ -113,15 +112,14 @@ public:
     /// Whether all cells are of kinds that are known.
     bool areKnown() const
     {
-        std::atomic<bool> known = true;
-        parallelRanges(cells_, kCellsAtOnce, [&](std::size_t begin, std::size_t end) {
+        return holdsForAll(cells_, kCellsAtOnce, [&](std::size_t begin, std::size_t end) {
             for (std::size_t cell = begin; cell < end; ++cell) {
                 const CellKind* kind = kindOfCell(types_[cell]);
                 const bool fits = kind && (kind->corners == 0 || kind->corners == offsets_[cell + 1] - offsets_[cell]);
-                if (!fits) known = false;
+                if (!fits) return false;
             }
+            return true;
         });
-        return known;
     }
 
     OuterFaces outer() const

@@ -12,7 +12,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -20,11 +19,9 @@
 #include "aeolic/error.h"
 #include "base/fnv.h"
 #include "base/parallel.h"
-#include "data/mesh/mesh_tools.h"
 #include "data/vtk/arrays.h"
 #include "data/vtk/joined_arrays.h"
 #include "data/vtk/messages.h"
-#include "data/vtk/surface/polydata_vectors.h"
 
 namespace aeolic {
 

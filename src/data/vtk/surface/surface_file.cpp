@@ -5,17 +5,14 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 
-#include <algorithm>
-
 #include "aeolic/error.h"
 #include "data/named_file.h"
 #include "data/piece_run.h"
 #include "data/reading/file_questions.h"
-#include "data/vtk/data_kind.h"
+#include "data/vtk/data_objects.h"
 #include "data/vtk/file_reader.h"
 #include "data/vtk/grid/cell_means.h"
 #include "data/vtk/messages.h"
-#include "data/vtk/surface/blocks.h"
 #include "data/vtk/surface/outer_surface.h"
 #include "data/vtk/surface/polydata_mesh.h"
 

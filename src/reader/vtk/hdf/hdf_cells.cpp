@@ -15,6 +15,7 @@
 #include <numeric>
 #include <utility>
 
+#include "reader/vtk/block_arrays.h"
 #include "reader/vtk/hdf/hdf_data_set.h"
 
 namespace aeolic {
@@ -53,28 +54,17 @@ vtkSmartPointer<vtkPoints> readPoints(const Hdf5Object& data, std::uint64_t firs
                   fmt::format("{} x 3 from {} on", count, first));
     auto points = vtkSmartPointer<vtkPoints>::New();
     const Slab slab{{first, 0}, {count, 3}};
-    if (data.type() == NumberType::float32) {
-        const auto values = data.read<float>(slab);
-        points->SetNumberOfPoints(vtkIdType(count));
-        std::copy(values.begin(), values.end(), vtkFloatArray::SafeDownCast(points->GetData())->GetPointer(0));
-    } else {
-        const auto values = data.read<double>(slab);
-        points->SetDataTypeToDouble();
-        points->SetNumberOfPoints(vtkIdType(count));
-        std::copy(values.begin(), values.end(), vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0));
-    }
+    if (data.type() == NumberType::float32)
+        points->SetData(arrayOf<vtkFloatArray>("Points", 3, data.read<float>(slab)));
+    else
+        points->SetData(arrayOf<vtkDoubleArray>("Points", 3, data.read<double>(slab)));
     return points;
 }
 
 vtkSmartPointer<vtkCellArray> cellArray(const Wholes& ends, const Wholes& corners)
 {
-    vtkNew<vtkIdTypeArray> offsets, connectivity;
-    offsets->SetNumberOfValues(vtkIdType(ends.size()));
-    connectivity->SetNumberOfValues(vtkIdType(corners.size()));
-    std::copy(ends.begin(), ends.end(), offsets->GetPointer(0));
-    std::copy(corners.begin(), corners.end(), connectivity->GetPointer(0));
     auto cells = vtkSmartPointer<vtkCellArray>::New();
-    cells->SetData(offsets, connectivity);
+    cells->SetData(arrayOf<vtkIdTypeArray>("", 1, ends), arrayOf<vtkIdTypeArray>("", 1, corners));
     return cells;
 }
 
@@ -82,7 +72,7 @@ vtkSmartPointer<vtkCellArray> cellArray(const Wholes& ends, const Wholes& corner
 /// together. `counts`: of each kind and piece.
 void sortByKind(vtkCellData& values, const std::vector<Wholes>& counts)
 {
-    if (std::count_if(counts.begin(), counts.end(), [](const Wholes& kind) { return sumOf(kind) > 0; }) < 2) return;
+    if (std::ranges::count_if(counts, [](const Wholes& kind) { return sumOf(kind) > 0; }) < 2) return;
     vtkNew<vtkIdList> order;
     for (std::size_t kind = 0; kind < counts.size(); ++kind) {
         vtkIdType cell = 0;
@@ -218,7 +208,7 @@ vtkSmartPointer<vtkDataSet> HdfDataSet::readGrid(std::size_t step, const std::ve
         typeData.fail(fmt::format("it has {} numbers", fmt::join(typeData.shape(), " x ")),
                       fmt::format("{} from {} on, one for each cell", slab.count[0], slab.first[0]));
     const auto types = typeData.read<std::int64_t>(slab);
-    if (std::find(types.begin(), types.end(), VTK_POLYHEDRON) != types.end())
+    if (std::ranges::find(types, VTK_POLYHEDRON) != types.end())
         typeData.fail("it has polyhedra", "cells of other kinds");
     vtkNew<vtkUnsignedCharArray> kinds;
     kinds->SetNumberOfValues(vtkIdType(types.size()));

@@ -50,24 +50,13 @@ std::vector<double> realsOf(const Hdf5Object& group, const char* attribute, cons
     return *values;
 }
 
-template <class Array, class Number>
-vtkSmartPointer<Array> arrayOf(const ArrayInfo& info, const std::vector<Number>& values)
-{
-    auto array = vtkSmartPointer<Array>::New();
-    array->SetName(info.name.c_str());
-    array->SetNumberOfComponents(info.components);
-    array->SetNumberOfTuples(vtkIdType(values.size()) / info.components);
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    return array;
-}
-
 void addValues(vtkDataSet& to, const ArrayInfo& info, const Hdf5Object& data, const Slab& slab)
 {
     vtkDataSetAttributes& all = valuesOf(to, info.onPoints);
     if (isMaskName(info.name))
-        all.AddArray(arrayOf<vtkUnsignedCharArray>(info, data.read<std::int8_t>(slab)));
+        all.AddArray(arrayOf<vtkUnsignedCharArray>(info.name, info.components, data.read<std::int8_t>(slab)));
     else
-        all.AddArray(arrayOf<vtkFloatArray>(info, data.read<float>(slab)));
+        all.AddArray(arrayOf<vtkFloatArray>(info.name, info.components, data.read<float>(slab)));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "reader/vtk/hdf/hdf_file.h"
+#include "reader/vtk/format_readers.h"
 
 #include <fmt/format.h>
 #include <vtkMultiBlockDataSet.h>
@@ -43,11 +43,7 @@ public:
         time_ = time.value_or(times_.empty() ? 0 : times_.front());
     }
 
-    const std::vector<ArrayInfo>& arrays() const override { return arrays_; }
-    std::vector<double> times() const override { return times_; }
-    const std::vector<PartInfo>& parts() const override { return parts_; }
-
-    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
+    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) override
     {
         if (parts_.empty()) return readSet(sets_.front(), kept);
         auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -114,10 +110,7 @@ private:
         return set.read(step, own);
     }
 
-    std::vector<HdfDataSet> sets_;
-    std::vector<PartInfo> parts_;  // Of each, where there are several.
-    std::vector<ArrayInfo> arrays_;
-    std::vector<double> times_;
+    std::vector<HdfDataSet> sets_;  // Each is a part, where there are several.
     double time_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "reader/vtk/modules/ensight_reader.h"
+#include "reader/vtk/format_readers.h"
 
 #include <fmt/format.h>
 #include <vtkCell.h>
@@ -43,11 +43,10 @@ public:
             info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), time.value_or(times_.front()));
     }
 
-    const std::vector<ArrayInfo>& arrays() const override { return step().arrays; }
-    std::vector<double> times() const override { return times_; }
-    const std::vector<PartInfo>& parts() const override { return step().parts; }
+    const std::vector<ArrayInfo>& arrays() override { return step().arrays; }
+    const std::vector<PartInfo>& parts() override { return step().parts; }
 
-    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
+    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) override
     {
         auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
         for (const std::size_t part : chosen()) {
@@ -76,7 +75,7 @@ private:
     };
 
     /// All of the step. Which parts there are, and of which kind, is known when they have been read.
-    const Step& step() const
+    const Step& step()
     {
         if (step_) return *step_;
         run([&] { reader_->Update(); });
@@ -112,8 +111,7 @@ private:
     }
 
     vtkNew<vtkGenericEnSightReader> reader_;
-    std::vector<double> times_;
-    mutable std::optional<Step> step_;  // Once it was asked for.
+    std::optional<Step> step_;  // Once it was asked for.
 };
 
 }  // namespace

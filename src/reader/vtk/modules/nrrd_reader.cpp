@@ -1,7 +1,8 @@
-#include "reader/vtk/modules/nrrd_reader.h"
+#include "reader/vtk/format_readers.h"
 
 #include <vtkCharArray.h>
 #include <vtkNrrdReader.h>
+#include <vtkObjectFactory.h>
 
 #include <cmath>
 #include <cstring>
@@ -15,12 +16,7 @@ namespace {
 
 class NrrdReader : public vtkNrrdReader {
 public:
-    static NrrdReader* New()
-    {
-        auto* reader = new NrrdReader;
-        reader->InitializeObjectBase();
-        return reader;
-    }
+    static NrrdReader* New() { VTK_STANDARD_NEW_BODY(NrrdReader); }
 
 protected:
     using vtkNrrdReader::ReadHeader;

@@ -1,8 +1,7 @@
 #include <vtkSTLReader.h>
 
-#include "reader/vtk/modules/ensight_reader.h"
+#include "reader/vtk/format_readers.h"
 #include "reader/vtk/modules/modules.h"
-#include "reader/vtk/modules/nrrd_reader.h"
 
 namespace aeolic {
 namespace {

@@ -16,6 +16,7 @@
 #include <numeric>
 
 #include "base/text.h"
+#include "reader/vtk/block_arrays.h"
 #include "reader/vtk/netcdf/grid_values.h"
 
 namespace aeolic {
@@ -50,7 +51,7 @@ std::vector<double> lineOf(const NetcdfFile& file, const std::string& dimension,
     if (kind == CoordinateKind::z && lowerCase(file.text(*name, "positive").value_or("")) == "down")
         for (double& place : line) place = -place;
     turned = line.size() > 1 && line[1] < line[0];
-    if (turned) std::reverse(line.begin(), line.end());
+    if (turned) std::ranges::reverse(line);
     for (std::size_t i = 0; i < line.size(); ++i)
         if (!std::isfinite(line[i]) || (i > 0 && line[i] <= line[i - 1]))
             file.fail(fmt::format("its coordinate '{}' has the values {} and {} beside each other", *name,
@@ -97,14 +98,6 @@ void unwindRows(GridPlaces& places)
             isFirst = false;
         }
     }
-}
-
-vtkSmartPointer<vtkDoubleArray> toVtk(const std::vector<double>& values)
-{
-    auto array = vtkSmartPointer<vtkDoubleArray>::New();
-    array->SetNumberOfValues(vtkIdType(values.size()));
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    return array;
 }
 
 bool isEven(const std::vector<double>& line)
@@ -217,12 +210,12 @@ GridPlaces placesOf(const NetcdfFile& file, const GridAxes& axes, const std::str
 vtkSmartPointer<vtkDataSet> dataSetOf(const GridPlaces& places)
 {
     if (places.isCurvilinear()) return curvilinearOf(places);
-    if (std::all_of(places.lines.begin(), places.lines.end(), isEven)) return imageOf(places);
+    if (std::ranges::all_of(places.lines, isEven)) return imageOf(places);
     auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
     grid->SetDimensions(int(places.columns()), int(places.rows()), int(places.layers()));
-    grid->SetXCoordinates(toVtk(places.lines[0]));
-    grid->SetYCoordinates(toVtk(places.lines[1]));
-    grid->SetZCoordinates(toVtk(places.lines[2]));
+    grid->SetXCoordinates(arrayOf<vtkDoubleArray>("x", 1, places.lines[0]));
+    grid->SetYCoordinates(arrayOf<vtkDoubleArray>("y", 1, places.lines[1]));
+    grid->SetZCoordinates(arrayOf<vtkDoubleArray>("z", 1, places.lines[2]));
     return grid;
 }
 

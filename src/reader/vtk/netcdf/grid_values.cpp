@@ -101,7 +101,7 @@ Block readBlock(const NetcdfFile& file, const GridVariable& variable, std::size_
     for (std::size_t k = 0; k < rank; ++k)
         block.size[rank - 1 - k] = slab.count[variable.at[k]] = shape[variable.at[k]];
     block.values = unpackedValues(file, variable.name, slab);
-    if (std::is_sorted(variable.at.begin(), variable.at.end())) return block;
+    if (std::ranges::is_sorted(variable.at)) return block;
 
     std::vector<std::size_t> strides(shape.size(), 1);  // Of the slab, in elements.
     for (std::size_t k = shape.size() - 1; k-- > 0;) strides[k] = strides[k + 1] * std::size_t(slab.count[k + 1]);

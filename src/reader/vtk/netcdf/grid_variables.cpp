@@ -43,7 +43,7 @@ bool isEnsemble(const NetcdfFile& file, const std::string& dimension)
 {
     constexpr std::string_view names[] = {"number", "realization", "member", "ensemble", "ens", "expver"};
     const std::string name = lowerCase(dimension);
-    return std::find(std::begin(names), std::end(names), name) != std::end(names) ||
+    return std::ranges::find(names, name) != std::end(names) ||
            (file.has(dimension) && attribute(file, dimension, "standard_name") == "realization");
 }
 
@@ -95,8 +95,7 @@ std::optional<GridVariable> onGrid(const NetcdfFile& file, const std::string& na
         else if (!isEnsemble(file, dimensions[k]))
             at.push_back(k);
     }
-    if (std::any_of(at.begin(), at.end(), [&](std::size_t k) { return rows.contains(dimensions[k]); }))
-        return std::nullopt;
+    if (std::ranges::any_of(at, [&](std::size_t k) { return rows.contains(dimensions[k]); })) return std::nullopt;
     while (at.size() > 3 && lengths[at.front()] == 1) at.erase(at.begin());
     if (at.size() > 3 && !variable.time) {  // Such as months, of which no unit tells.
         variable.time = at.front();
@@ -110,7 +109,7 @@ std::optional<GridVariable> onGrid(const NetcdfFile& file, const std::string& na
     };
     const int ranks = std::accumulate(at.begin(), at.end(), 0, [&](int sum, std::size_t k) { return sum + rankOf(k); });
     if (ranks == 3)  // Where nothing tells them, the dimensions are in the usual order.
-        std::stable_sort(at.begin(), at.end(), [&](std::size_t a, std::size_t b) { return rankOf(a) < rankOf(b); });
+        std::ranges::stable_sort(at, [&](std::size_t a, std::size_t b) { return rankOf(a) < rankOf(b); });
     if (lengths[at[at.size() - 1]] < 2 || lengths[at[at.size() - 2]] < 2) return std::nullopt;
     for (const std::size_t k : at) variable.axes.push_back(dimensions[k]);
     variable.at = at;
@@ -130,8 +129,7 @@ bool isOfFlow(const std::string& units)
 {
     constexpr std::string_view parts[] = {"s-1", "s**-1", "s^-1", "s^{-1}",  "/s",  "second",
                                           "Pa",  "N m-2", "N/m",  "N m**-2", "knot"};
-    return std::any_of(std::begin(parts), std::end(parts),
-                       [&](std::string_view part) { return units.find(part) != std::string::npos; });
+    return std::ranges::any_of(parts, [&](std::string_view part) { return units.find(part) != std::string::npos; });
 }
 
 /// Two names that differ in the letter of an axis may be those of anything: of masks, of factors, of nitrogen oxides.
@@ -342,13 +340,12 @@ GridVariables gridVariablesOf(const NetcdfFile& file)
     }
     const auto isEmptyTime = [&](const std::string& name) {
         const std::vector<std::string>& dimensions = file.dimensions(name);
-        return std::any_of(dimensions.begin(), dimensions.end(), [&](const std::string& dimension) {
+        return std::ranges::any_of(dimensions, [&](const std::string& dimension) {
             return isTimeDimension(file, dimension) && file.dimension(dimension).value_or(1) == 0;
         });
     };
     const std::vector<std::string> names = file.variables();
-    if (all.variables.empty() && std::any_of(names.begin(), names.end(), isEmptyTime))
-        file.fail("it has no step of time", "one");
+    if (all.variables.empty() && std::ranges::any_of(names, isEmptyTime)) file.fail("it has no step of time", "one");
     if (all.variables.empty())
         file.fail(rows.empty() ? "it has no variable on a grid"
                                : "its values stand on a mesh without a grid, along '" + *rows.begin() + "'",

@@ -1,4 +1,4 @@
-#include "reader/vtk/netcdf/netcdf_grid.h"
+#include "reader/vtk/format_readers.h"
 
 #include <fmt/format.h>
 #include <vtkPointData.h>
@@ -25,27 +25,19 @@ public:
         : OwnReader(path, use), file_(path), all_(gridVariablesOf(file_))
     {
         // The first vector is proposed first, so it belongs to the grid that all arrays together get.
-        std::stable_sort(all_.vectors.begin(), all_.vectors.end(), [&](const GridVector& a, const GridVector& b) {
+        std::ranges::stable_sort(all_.vectors, [&](const GridVector& a, const GridVector& b) {
             if (a.isFlow != b.isFlow) return a.isFlow;
             return pointsOf(a.axes) > pointsOf(b.axes);
         });
+        // First the vectors, then the variables.
         for (const GridVector& vector : all_.vectors) arrays_.push_back({vector.name, true, 3, VTK_FLOAT});
         for (const GridVariable& variable : all_.variables) arrays_.push_back({variable.name, true, 1, VTK_FLOAT});
         for (const GridVariable& variable : all_.variables) steps_.push_back(stepAt(variable, time));
+        // The times of the grid that is read if all arrays are kept.
+        if (const auto name = timeOf(all_.variables[variableOf(leading(arrays_))])) times_ = all_.times.at(*name);
     }
 
-    const std::vector<ArrayInfo>& arrays() const override { return arrays_; }
-
-    /// The times of the grid that is read if all arrays are kept.
-    std::vector<double> times() const override
-    {
-        const auto name = timeOf(all_.variables[variableOf(leading(arrays_))]);
-        return name ? all_.times.at(*name) : std::vector<double>{};
-    }
-
-    const std::vector<PartInfo>& parts() const override { return parts_; }
-
-    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) const override
+    vtkSmartPointer<vtkDataObject> read(const std::vector<ArrayInfo>& kept) override
     {
         const std::size_t first = leading(kept);
         const GridAxes& axes = axesOf(first);
@@ -70,9 +62,7 @@ public:
                                                   ? vectorsOnGrid(file_, all_, all_.vectors[i], axes, places, steps_)
                                                   : valuesOnGrid(file_, all_.variables[i - all_.vectors.size()], axes,
                                                                  places, steps_[i - all_.vectors.size()]);
-            const auto made = floatArray(array.name, array.components, places.count());
-            std::copy(values.begin(), values.end(), made->GetPointer(0));
-            data->GetPointData()->AddArray(made);
+            data->GetPointData()->AddArray(arrayOf<vtkFloatArray>(array.name, array.components, values));
         }
         return data;
     }
@@ -80,9 +70,9 @@ public:
 private:
     std::size_t indexOf(const ArrayInfo& array) const
     {
-        return std::size_t(std::find_if(arrays_.begin(), arrays_.end(),
-                                        [&](const ArrayInfo& each) { return each.name == array.name; }) -
-                           arrays_.begin());
+        return std::size_t(
+            std::ranges::find_if(arrays_, [&](const ArrayInfo& each) { return each.name == array.name; }) -
+            arrays_.begin());
     }
 
     const GridAxes& axesOf(std::size_t array) const
@@ -111,8 +101,7 @@ private:
         std::uint64_t most = 0;
         for (std::size_t i = 0; i < arrays_.size(); ++i) {
             if (i >= all_.vectors.size() && best < all_.vectors.size() && most > 0) break;
-            if (std::none_of(kept.begin(), kept.end(),
-                             [&](const ArrayInfo& each) { return each.name == arrays_[i].name; }))
+            if (std::ranges::none_of(kept, [&](const ArrayInfo& each) { return each.name == arrays_[i].name; }))
                 continue;
             const std::uint64_t points = pointsOf(axesOf(i));
             if (points <= most) continue;
@@ -138,9 +127,7 @@ private:
 
     NetcdfFile file_;
     GridVariables all_;
-    std::vector<ArrayInfo> arrays_;   // First the vectors, then the variables.
     std::vector<std::size_t> steps_;  // Which step of each variable is read.
-    std::vector<PartInfo> parts_;
 };
 
 }  // namespace

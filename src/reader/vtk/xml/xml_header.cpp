@@ -25,7 +25,7 @@ std::vector<std::string> arraysAt(vtkXMLDataElement& piece, const char* group, i
             vtkXMLDataElement& array = *data->GetNestedElement(i);
             std::vector<int> own(std::size_t(steps) + 1);
             own.resize(std::size_t(array.GetVectorAttribute("TimeStep", steps, own.data())));
-            if (!own.empty() && std::find(own.begin(), own.end(), step) == own.end()) continue;
+            if (!own.empty() && std::ranges::find(own, step) == own.end()) continue;
             int components = 1;
             array.GetScalarAttribute("NumberOfComponents", components);
             arrays.push_back(
@@ -53,7 +53,7 @@ vtkTypeInt64 tuplesOf(vtkXMLDataElement& piece, bool onCells)
 std::string faultOf(const std::vector<std::string>& found, const std::vector<std::string>& expected, const char* group)
 {
     for (const std::string& array : expected)
-        if (std::find(found.begin(), found.end(), array) == found.end())
+        if (std::ranges::find(found, array) == found.end())
             return fmt::format("a piece or a step of time lacks the {} array {}", group, array);
     const bool isNamed = std::string_view(group) != "Points";
     for (const std::string& array : found)
@@ -139,7 +139,7 @@ std::int64_t bytesWithin(vtkXMLDataElement& element, std::istream& file)
     file.seekg(std::streamoff(element.GetXMLByteIndex()));
     std::getline(file, text, '>');
     std::getline(file, text, '<');
-    const auto digits = std::count_if(text.begin(), text.end(), [](char c) {
+    const auto digits = std::ranges::count_if(text, [](char c) {
         return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';
     });
     const char* const words = element.GetRoot()->GetAttribute("header_type");

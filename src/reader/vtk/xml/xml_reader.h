@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkDataArray.h>
+#include <vtkObjectFactory.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 #include <vtkXMLDataReader.h>
@@ -23,12 +24,7 @@ namespace aeolic {
 template <class Reader>
 class XmlReader : public Reader {
 public:
-    static XmlReader* New()
-    {
-        auto* reader = new XmlReader;
-        reader->InitializeObjectBase();
-        return reader;
-    }
+    static XmlReader* New() { VTK_STANDARD_NEW_BODY(XmlReader); }
 
 protected:
     XmlReader() = default;
@@ -96,12 +92,7 @@ private:
 template <class Reader, class PieceReader>
 class XmlPiecesReader : public Reader {
 public:
-    static XmlPiecesReader* New()
-    {
-        auto* reader = new XmlPiecesReader;
-        reader->InitializeObjectBase();
-        return reader;
-    }
+    static XmlPiecesReader* New() { VTK_STANDARD_NEW_BODY(XmlPiecesReader); }
 
 protected:
     XmlPiecesReader() = default;

@@ -1,7 +1,6 @@
 #include "render/cpu/lic/hierarchical.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/parallel.h"
 

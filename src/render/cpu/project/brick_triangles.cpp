@@ -1,6 +1,5 @@
 #include "render/cpu/project/brick_triangles.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "base/parallel.h"

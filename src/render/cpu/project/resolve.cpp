@@ -1,6 +1,5 @@
 #include "render/cpu/project/resolve.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "render/cpu/project/field_lookup.h"

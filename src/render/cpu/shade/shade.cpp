@@ -1,7 +1,6 @@
 #include "render/cpu/shade/shade.h"
 
 #include <bit>
-#include <cstring>
 
 #include "base/parallel.h"
 #include "render/cpu/edges/find_edges.h"

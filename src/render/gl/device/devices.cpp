@@ -4,9 +4,9 @@
 #include <epoxy/egl.h>
 
 #include <algorithm>
-#include <cctype>
 #include <mutex>
 
+#include "base/text.h"
 #include "render/gl/gl_backend.h"
 
 namespace aeolic::gl {
@@ -62,8 +62,7 @@ std::vector<Device> opened(std::vector<Device> found)
 
 bool isSoftwareRenderer(const std::string& renderer)
 {
-    std::string lower = renderer;
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    const std::string lower = lowerCase(renderer);
     for (const char* name : {"llvmpipe", "softpipe", "swrast", "swr", "software"})
         if (lower.find(name) != std::string::npos) return true;
     return false;

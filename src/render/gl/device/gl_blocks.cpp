@@ -1,6 +1,5 @@
 #include "render/gl/device/gl_blocks.h"
 
-#include <algorithm>
 #include <bit>
 
 #include "render/shading_model.h"

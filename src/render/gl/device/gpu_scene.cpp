@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <tuple>
 #include <vector>
 
-#include "aeolic/error.h"
 #include "base/parallel.h"
 #include "base/uninitialized.h"
 #include "data/field_tiles.h"

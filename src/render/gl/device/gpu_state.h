@@ -11,7 +11,6 @@
 #include "render/gl/project/frame_images.h"
 #include "render/gl/project/gl_resolve.h"
 #include "render/gl/project/row_counts.h"
-#include "render/gl/shade/gl_occlusion.h"
 #include "render/gl/shade/gl_shade.h"
 
 namespace aeolic::gl {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 
 #include "render/antialias.h"
 #include "render/gl/device/dispatch.h"

@@ -28,4 +28,26 @@ private:
     Time last_{};
 };
 
+/// Limits the messages of all viewers together. They share one token and take turns. Nobody is sent away for the
+/// others' messages. Each connection waits for one turn at a time, so that all of them get equally many, whatever they
+/// would like to send.
+class CommonRate {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    /// Takes the next turn. Returns how long it is until then; zero mostly.
+    Clock::duration nextTurn(Clock::time_point now)
+    {
+        next_ = std::max(next_, now - kBurst * kStep) + kStep;
+        return std::max(next_ - now, Clock::duration::zero());
+    }
+
+    static constexpr int kPerSecond = 10000;  ///< 64 viewers who all move, with 120 views and some more.
+    static constexpr int kBurst = 2000;       ///< So many without waiting, after a quiet time.
+
+private:
+    static constexpr Clock::duration kStep = std::chrono::nanoseconds(1'000'000'000 / kPerSecond);
+    Clock::time_point next_{};
+};
+
 }  // namespace aeolic::stream

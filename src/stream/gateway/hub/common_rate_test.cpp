@@ -1,4 +1,4 @@
-#include "stream/gateway/hub/common_rate.h"
+#include "stream/gateway/hub/allowance.h"
 
 #include <gtest/gtest.h>
 

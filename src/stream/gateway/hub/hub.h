@@ -66,7 +66,7 @@ public:
     /// Throws ProtocolError; the caller then hangs up.
     void receive(std::uint32_t viewer, const MessageView& message);
     /// A frame has left its port's queue.
-    void frameWritten(std::uint32_t viewer);
+    void frameWritten(std::uint32_t id) { goOn(viewer(id)); }
 
     /// Has to be called several times a second. Begins what had to wait for its time.
     void tick();
@@ -82,7 +82,7 @@ public:
     /// `message`: how the job ended and when it is tried again. Returns whether the job was of use: it has drawn a
     /// frame, or was ready for kSettled and nobody asked for a frame.
     bool jobEnded(const std::string& message);
-    void jobWaits(const std::string& message);
+    void jobWaits(const std::string& message) { setState(State::restarting, message); }
     /// Whether a viewer has asked for another start since the job was given up. Forgets it.
     bool takeStartAskedFor() { return std::exchange(startAskedFor_, false); }
     void jobGivenUp(const std::string& message);
@@ -120,7 +120,7 @@ private:
     };
 
     // hub_viewers.cpp
-    Viewer& viewer(std::uint32_t id);
+    Viewer& viewer(std::uint32_t id) { return viewers_.at(id); }
     void onView(Viewer& viewer, ViewRequest request);
     void onShown(Viewer& viewer, std::uint32_t frame);
     void onFollow(Viewer& viewer, std::uint32_t other);
@@ -129,7 +129,7 @@ private:
     void goOn(Viewer& viewer);
     void toAll(const WireMessage& message);
     void offerDirect(Viewer& viewer);
-    void notify(Viewer& viewer, const char* level, const std::string& message, bool ofChange);
+    void notify(Viewer& viewer, const char* level, const std::string& message, bool ofChange = false);
 
     // hub_turns.cpp
     bool takeTurn();

@@ -45,7 +45,7 @@ bool Hub::draw(Viewer& of)
     try {
         request = drawRequest(of, view, isMoving);
     } catch (const InputError& error) {  // The view was made for another scene.
-        notify(of, "error", error.what(), false);
+        notify(of, "error", error.what());
         return false;
     }
     const SteadyClock::time_point until = waitsUntil(of, request.scene);

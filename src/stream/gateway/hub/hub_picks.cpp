@@ -27,7 +27,7 @@ void Hub::sendPick(Viewer& of)
     try {
         probe.scene = withView(scene_, fromHome(view, viewOfScene_), view.width, view.height);
     } catch (const InputError& error) {  // The view was made for another scene.
-        return notify(of, "error", error.what(), false);
+        return notify(of, "error", error.what());
     }
     of.picking = view.view;
     toJob_(jsonMessage(MessageType::probe, probeToJson(probe)));
@@ -49,7 +49,7 @@ void Hub::onPicked(ByteView payload)
         viewer.timeHad += std::min(tookMs, kMostMs);
     picked.erase("viewer");
     picked.erase("tookMs");
-    viewer.port->send(jsonMessage(MessageType::picked, picked.dump(-1, ' ', false, Json::error_handler_t::replace)));
+    viewer.port->send(jsonMessage(MessageType::picked, jsonText(picked)));
     sendPick(viewer);
 }
 
@@ -59,7 +59,7 @@ void Hub::failPick(std::uint32_t id, const std::string& message)
     const auto asker = viewers_.find(id);
     if (asker == viewers_.end() || !asker->second.picking) return;
     asker->second.picking.reset();
-    notify(asker->second, "error", message, false);
+    notify(asker->second, "error", message);
     sendPick(asker->second);
 }
 

@@ -170,7 +170,7 @@ void Hub::onNotice(ByteView payload)
     Drawing* drawing = drawingOf(notice.value("frame", 0u));
     if (!drawing) return;
     if (const auto owner = viewers_.find(drawing->viewer); owner != viewers_.end())
-        notify(owner->second, "error", message, false);
+        notify(owner->second, "error", message);
     drop(*drawing);
     drawNext();
 }
@@ -241,8 +241,7 @@ bool Hub::jobEnded(const std::string& message)
             owner->second.mayLookFrom = now_() + kPenalty;
             notify(owner->second, "error",
                    "the renderer ended twice while drawing this view; it is not tried again, and others only after a "
-                   "minute",
-                   false);
+                   "minute");
         }
     }
     if (loading_ && loading_->askedBy != 0) {  // What ended the job is not tried again: back to the scene before.
@@ -265,11 +264,6 @@ bool Hub::jobEnded(const std::string& message)
     loadError_.reset();
     loadedAt_.reset();
     return std::exchange(drewSinceStart_, false) || idle;
-}
-
-void Hub::jobWaits(const std::string& message)
-{
-    setState(State::restarting, message);
 }
 
 void Hub::jobGivenUp(const std::string& message)
@@ -329,7 +323,7 @@ WireMessage Hub::stateMessage() const
                      {"ranks", ranks_},
                      {"restarts", restarts_},
                      {"viewers", list}};
-    return jsonMessage(MessageType::state, state.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return jsonMessage(MessageType::state, jsonText(state));
 }
 
 }  // namespace aeolic::stream

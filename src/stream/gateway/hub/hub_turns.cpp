@@ -135,8 +135,7 @@ void Hub::tellOfWait(Viewer& viewer, SteadyClock::time_point until)
     const auto left = std::chrono::ceil<std::chrono::seconds>(until - now_());
     notify(
         viewer, "warning",
-        fmt::format("this picture waits, because others look: it is drawn when they do not, or in {} s", left.count()),
-        false);
+        fmt::format("this picture waits, because others look: it is drawn when they do not, or in {} s", left.count()));
 }
 
 /// What a picture took counts for its viewer, unless it belongs to a change.

@@ -9,11 +9,6 @@ Hub::Hub(Options options, std::function<void(WireMessage)> toJob, Now now)
 {
 }
 
-Viewer& Hub::viewer(std::uint32_t id)
-{
-    return viewers_.at(id);
-}
-
 std::uint32_t Hub::join(ViewerPort& port, const Hello& hello)
 {
     const std::uint32_t id = ++lastViewer_;
@@ -79,23 +74,17 @@ void Hub::receive(std::uint32_t id, const MessageView& message)
     };
     switch (message.type) {
         case MessageType::view:
-            onView(from, viewFrom(parseJson(message.payload), options_.largestSide));
-            break;
+            return onView(from, viewFrom(parseJson(message.payload), options_.largestSide));
         case MessageType::shown:
-            onShown(from, number());
-            break;
+            return onShown(from, number());
         case MessageType::change:
-            onChange(from, changeFrom(parseJson(message.payload)));
-            break;
+            return onChange(from, changeFrom(parseJson(message.payload)));
         case MessageType::follow:
-            onFollow(from, number());
-            break;
+            return onFollow(from, number());
         case MessageType::start:
-            onStart(from);
-            break;
+            return onStart(from);
         case MessageType::pick:
-            onPick(from, pickFrom(parseJson(message.payload), options_.largestSide));
-            break;
+            return onPick(from, pickFrom(parseJson(message.payload), options_.largestSide));
         default:
             throw ProtocolError("a message out of turn");
     }
@@ -134,11 +123,6 @@ void Hub::onShown(Viewer& from, std::uint32_t frame)
     goOn(from);
 }
 
-void Hub::frameWritten(std::uint32_t id)
-{
-    goOn(viewer(id));
-}
-
 /// A frame is no longer on its way to a viewer.
 void Hub::goOn(Viewer& to)
 {
@@ -150,7 +134,7 @@ void Hub::goOn(Viewer& to)
 void Hub::onFollow(Viewer& from, std::uint32_t other)
 {
     if (other != 0 && (other == from.id || !viewers_.count(other))) {
-        notify(from, "error", "there is no such viewer to follow", false);
+        notify(from, "error", "there is no such viewer to follow");
         return;
     }
     from.following = other;
@@ -161,9 +145,9 @@ void Hub::onFollow(Viewer& from, std::uint32_t other)
 /// A job that was given up is tried once more. Everyone may ask, but not all the time: a start may cost minutes.
 void Hub::onStart(Viewer& from)
 {
-    if (state_ != State::failed) return notify(from, "info", "the renderer is being looked after already", false);
+    if (state_ != State::failed) return notify(from, "info", "the renderer is being looked after already");
     if (startAskedFor_) return;
-    if (now_() < mayStartFrom_) return notify(from, "info", "the renderer was started a moment ago", false);
+    if (now_() < mayStartFrom_) return notify(from, "info", "the renderer was started a moment ago");
     startAskedFor_ = true;
     mayStartFrom_ = now_() + kBetweenStarts;
 }
@@ -198,7 +182,7 @@ void Hub::toAll(const WireMessage& message)
 void Hub::notify(Viewer& to, const char* level, const std::string& message, bool ofChange)
 {
     const Json notice{{"level", level}, {"message", message}, {"change", ofChange}};
-    to.port->send(jsonMessage(MessageType::notice, notice.dump(-1, ' ', false, Json::error_handler_t::replace)));
+    to.port->send(jsonMessage(MessageType::notice, jsonText(notice)));
 }
 
 HubStatus Hub::status() const

@@ -66,12 +66,6 @@ bool Pace::grow()
     return true;
 }
 
-/// The measured times belong to another size. Until there are new ones, this size counts as right.
-void Pace::forget()
-{
-    drawMs_ = showMs_ = kUnknownMs;
-}
-
 double Pace::scale() const
 {
     return kScales[step_];

@@ -31,7 +31,8 @@ public:
 private:
     bool shrink();
     bool grow();
-    void forget();
+    /// The measured times belong to another size. Until there are new ones, this size counts as right.
+    void forget() { drawMs_ = showMs_ = kUnknownMs; }
 
     int step_ = 0;
     int quality_ = 80;
