@@ -21,8 +21,9 @@ float floatFromHalf(std::uint16_t half);
 /// and NaN become NaN, the mask. Returns how many were clamped. The memory of `halves` and `floats` must not overlap.
 std::size_t halvesFromFloatsParallel(const float* floats, std::uint16_t* halves, std::size_t count);
 
-/// The same in place: the buffer's first 2 * `count` bytes hold the halves afterwards. No memory is
-/// needed beside it, so a field that just fits as floats can still become halves.
+/// Converts a buffer of `count` floats to halves in place, on all threads. Its first 2 * `count` bytes hold them
+/// afterwards. Values, and what is returned, are as of halvesFromFloatsParallel(). No memory is needed beside the
+/// buffer, so a field that just fits as floats can still become halves.
 std::size_t convertToHalvesInPlace(void* buffer, std::size_t count);
 
 }  // namespace aeolic

@@ -43,7 +43,7 @@ struct GridField {
     const std::uint16_t* halves() const { return static_cast<const std::uint16_t*>(samples.get()); }
 };
 
-/// The same grid, whose samples are not there.
+/// A copy of the field's grid, name and range, without its samples.
 inline GridField withoutSamples(GridField field)
 {
     field.samples = nullptr;

@@ -54,7 +54,7 @@ inline constexpr TypedOption contextOption{
     "--context", "SURFACE", "Data",
     "one more surface, drawn plain and without streaks, for orientation; may be repeated"};
 
-/// Those that set several fields at once.
+/// Options that set several fields of the description at once.
 inline constexpr TypedOption compoundOptions[] = {
     {"--size", "WxH", "View", "the picture in pixels"},
     {"--camera", "ITEMS", "View",

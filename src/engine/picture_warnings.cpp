@@ -26,7 +26,7 @@ void addScale(const ShadingOptions& shading, const std::string& surface, const s
         warnings.push_back(
             fmt::format("{}: '{}' is nowhere above 0, as --color-scale log needs it: its colours are on a linear scale",
                         surface, array));
-    // Where a few wild values leave one colour for nearly all of the surface, as after a run that diverged.
+    // After a run that diverged, a few wild values leave one colour for nearly all of the surface.
     constexpr double kWild = 200;  // Times the range of 96 % of the area: the others share one colour.
     const double width = robust[1] - robust[0];
     const bool isWild = width > 0 && all[1] - all[0] > kWild * width;

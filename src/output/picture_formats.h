@@ -25,7 +25,8 @@ void checkFits(const std::string& option, PictureFormat format, int width, int h
 std::string pngOf(const Picture& picture, const std::string& path);
 std::string jpegOf(const Picture& picture, const std::string& path);
 std::string webpOf(const Picture& picture, const std::string& path);
-/// Of a frame: LIC pictures are noise, of which lossless files would be many times as large.
+/// A lossy WebP file, for a frame of an animation. LIC pictures are noise, so lossless frames would be many times as
+/// large. `path` and errors are as above.
 std::string lossyWebpOf(const Picture& picture, const std::string& path);
 
 /// Throws std::runtime_error where size and pixels do not agree.

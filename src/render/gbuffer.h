@@ -91,7 +91,7 @@ struct GBuffer {
     const Extent& valid() const { return flow.valid(); }
     ColumnSpan& surfaceColumns(int y) { return surface[std::size_t(y - valid().y0)]; }
     const ColumnSpan& surfaceColumns(int y) const { return surface[std::size_t(y - valid().y0)]; }
-    /// Those of rows [y0, y1) together.
+    /// From the first column of the surface in any of the rows [y0, y1) to the last.
     ColumnSpan surfaceColumns(int y0, int y1) const
     {
         ColumnSpan all;

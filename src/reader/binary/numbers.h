@@ -33,7 +33,7 @@ std::optional<Number> numberIn(std::string_view text, Base... base)
     return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
-/// Likewise, as readReal() reads it.
+/// The real number that the whole text is, as readReal() reads it; none where the text is anything else.
 template <class Real>
 std::optional<Real> realIn(std::string_view text)
 {

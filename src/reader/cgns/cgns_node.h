@@ -65,10 +65,11 @@ public:
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
 
 protected:
-    /// Where numbers go, and which kind they become.
+    /// The list that numbers are read into. Its type is the kind that they become.
     using Target =
         std::variant<std::vector<float>*, std::vector<double>*, std::vector<std::int64_t>*, std::vector<std::int8_t>*>;
-    virtual void readTo(const Target& target, const Places& first, const Places& count) const = 0;  ///< Of the value.
+    virtual void readTo(const Target& target, const Places& first,
+                        const Places& count) const = 0;  ///< Reads a part of the node's value.
 
 private:
     std::string file_, path_, name_, label_;

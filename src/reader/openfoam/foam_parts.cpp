@@ -26,7 +26,7 @@ std::vector<PartInfo> partsOf(const std::vector<FoamPart>& patches)
     return parts;
 }
 
-/// Those of the list that have these numbers.
+/// The items of a list that stand at the places `numbers`.
 template <class Item>
 std::vector<Item> numbered(const std::vector<Item>& all, const std::vector<std::size_t>& numbers)
 {

@@ -22,7 +22,7 @@ std::unique_ptr<OwnReader> openEnSight6(const std::string& path, FileUse use, st
 
 /// A VTK XML multi-block file (.vtm, .vtmb): a tree of names over files, some of which may be such files themselves.
 /// Only the files of blocks that are wanted are opened. A block that lacks an array which others have gets one of NaN.
-/// It has no times.
+/// Such a file has no times.
 std::unique_ptr<OwnReader> openMultiBlock(const std::string& path, FileUse use, std::optional<double> time);
 
 /// A netCDF file of grids, as models of oceans and of the air write them. A file may hold several grids: what is read

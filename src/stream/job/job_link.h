@@ -54,7 +54,7 @@ private:
     std::function<void(const MessageView&)> onInvite_;
     const std::chrono::seconds silenceLimit_;
 
-    // Of the link's thread, once it runs.
+    // Once the link's thread runs, it alone uses what follows.
     asio::io_context io_{1};
     LinkSocket link_{Tcp::socket(io_)};
     asio::steady_timer wake_{io_};  ///< Cancelled when there is something to write.

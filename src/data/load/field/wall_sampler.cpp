@@ -57,7 +57,7 @@ std::vector<glm::dvec3> placesOfAll(Agreement& agreement, const std::vector<glm:
 
 /// Looks values up in a uniform grid of which every rank holds a brick, to the bit as GridSampler does in the whole.
 ///
-/// It is asked twice for the same. At first no value is known (NaN), and the places that were asked for are kept. Then
+/// Every place is looked up twice. At first no value is known (NaN), and the places that were asked for are kept. Then
 /// ask() brings their values from the ranks that own them, and the second time they are known. The second time may ask
 /// for fewer places, but for no others. That suits a search that goes on from place to place.
 class BrickSampler final : public GridSampler {

@@ -69,7 +69,7 @@ HWY_INLINE VF licValue(VF sum, VF own, VF down, VF downWidth, VF up, VF upWidth,
 {
     const DF d;
     const VF one = hn::Set(d, 1.0f), length = hn::Add(own, hn::Add(down, up));
-    // As many pixels of full weight as vary as much.
+    // The effective length: the sum of so many pixels of full weight varies as much as this weighted sum.
     const VF both = hn::MulAdd(down, hn::Add(one, downWidth), hn::Mul(up, hn::Add(one, upWidth)));
     const VF effective = hn::Div(hn::Mul(length, length), hn::MulAdd(hn::Set(d, 0.5f), both, own));
     const VF power =

@@ -20,8 +20,8 @@ public:
     /// where no streaks show.
     void start(Programs& programs, const GpuScene& scene, const FrameImages& images, const Extent& drawn,
                bool withMask);
-    /// Those. Waits for the device, and with it for what it still has to do of the frame before: other ranks wait for
-    /// them too.
+    /// The field's part of those pixels. Waits for the device, and with it for what it still has to do of the frame
+    /// before: other ranks wait for these pixels, too.
     const FieldPixels& finish();
 
     /// The rows held, to be filled by others. `mixed`: with what surfaces carry, for which this waits for the device;
