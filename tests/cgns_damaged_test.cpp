@@ -145,6 +145,10 @@ TEST_F(CgnsDamaged, Elements)
     falling[3] = 12;
     replace(offsets, {65}, falling);
     expectComplaint({"ElementStartOffset'", "none smaller than the one before"}, ":box");
+    Wholes without(65);
+    for (std::size_t i = 0; i < without.size(); ++i) without[i] = i == 1 ? 0 : 6 * std::int64_t(i);
+    replace(offsets, {65}, without);
+    expectComplaint({"'/Base/box/cells'", "element 241 has 0 faces"}, ":box");
     write({.cells = Cells::polyhedra});
     replace(corners, {6 * 64}, Wholes(6 * 64, 1));
     expectComplaint({"'/Base/box/cells'", "the face 1 belongs to three cells"}, ":box");

@@ -2,7 +2,7 @@
 
 namespace aeolic {
 
-/// Puts one list's values behind another's.
+/// Appends the values of `more` to `list`.
 template <class List, class More>
 void appendAll(List& list, const More& more)
 {

@@ -18,7 +18,7 @@ namespace aeolic {
 template <class Type, class Value>
 concept PerhapsConst = std::same_as<std::remove_const_t<Type>, Value>;
 
-/// Takes any members.
+/// A visitor that takes any members, to find out whether there are any.
 struct AnyMembers {
     template <class... Members>
     void operator()(const Members&...) const;
@@ -60,7 +60,7 @@ public:
         add(std::uint64_t(texts.size()));
         for (const std::string& text : texts) add(text);
     }
-    /// Whether it is there, and the value then.
+    /// Writes whether there is a value, and the value if so.
     template <class Value>
     void add(const std::optional<Value>& value)
     {
@@ -140,7 +140,7 @@ public:
         texts.resize(countOf(sizeof(std::uint64_t)));
         for (std::string& text : texts) read(text);
     }
-    void read(bool& flag)  ///< The byte may be any.
+    void read(bool& flag)  ///< Any byte but 0 is true: the sender may be damaged.
     {
         std::uint8_t byte = 0;
         read(byte);

@@ -42,7 +42,7 @@ struct RowSpan {
 struct ColumnSpan {
     int x0 = 0, x1 = 0;
     bool empty() const { return x0 >= x1; }
-    /// From the first column of either to the last.
+    /// The columns from the first of this span and `other` to the last of them.
     ColumnSpan with(const ColumnSpan& other) const
     {
         if (empty()) return other;

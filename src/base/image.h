@@ -77,7 +77,7 @@ public:
     {
         for (int y = part.y0; y < part.y1; ++y) std::fill(row(y) + part.x0, row(y) + part.x1, value);
     }
-    /// Zeros in a row, but for `columns`.
+    /// Makes the row zero outside of `columns`.
     void clearBeside(int y, const ColumnSpan& columns)
     {
         std::fill(row(y) + valid_.x0, row(y) + columns.x0, T{});

@@ -34,12 +34,13 @@ std::vector<std::string_view> splitText(std::string_view text, char separator);
 /// The text without white space at its ends.
 std::string_view trimmedText(std::string_view text);
 
-/// The number that the whole text is, as std::from_chars() reads it; nothing where it is anything else.
-template <class Number>
-std::optional<Number> wholeTextAs(std::string_view text)
+/// The number that the whole text is, as std::from_chars() reads it; nothing where it is anything else. `base`: of a
+/// whole number, 10 unless given.
+template <class Number, class... Base>
+std::optional<Number> wholeTextAs(std::string_view text, Base... base)
 {
     Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, base...);
     const bool isWhole = error == std::errc() && end == text.data() + text.size();
     return isWhole ? std::optional(number) : std::nullopt;
 }

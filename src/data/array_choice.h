@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "base/byte_message.h"
+
 namespace aeolic {
 
 /// An array that a data set has, for people to choose.
@@ -11,6 +13,12 @@ struct ArrayChoice {
     int components = 1;
     bool operator==(const ArrayChoice&) const = default;
 };
+
+template <PerhapsConst<ArrayChoice> Array, class Visit>
+void withMembers(Array& array, const Visit& visit)
+{
+    visit(array.name, array.components);
+}
 
 using ArrayChoices = std::vector<ArrayChoice>;
 

@@ -10,11 +10,11 @@
 // for it, and are parallel.
 namespace aeolic {
 
-/// A component of vectors, as a scalar. They do not lie in tiles.
+/// One component of a field of vectors, as a scalar on its grid. The vectors do not lie in tiles.
 std::shared_ptr<const GridField> componentOf(const GridField& vectors, int component);
 
-/// A copy in half precision. `tallies` gets one more entry: how many samples of this part of the field are too large
-/// for that.
+/// A copy of a field of floats in half precision. `tallies` gets one more entry: how many samples of this part of the
+/// field are too large for that.
 std::shared_ptr<const GridField> halfField(const std::shared_ptr<const GridField>& field, std::vector<Tally>& tallies);
 
 }  // namespace aeolic

@@ -22,4 +22,11 @@ struct FieldFacts {
     std::string name;  ///< The file's, for messages.
 };
 
+template <PerhapsConst<FieldFacts> Facts, class Visit>
+void withMembers(Facts& facts, const Visit& visit)
+{
+    visit(facts.hasScalar, facts.ofVectors, facts.scalarName, facts.vectorsName, facts.arrays, facts.name,
+          facts.offered, facts.timeSteps, facts.tallies);
+}
+
 }  // namespace aeolic

@@ -38,7 +38,7 @@ struct SceneColors {
     std::string name;                         ///< The array's, for the legend.
     std::array<double, 2> range{0, 1};        ///< Its values on these surfaces; finite, lo <= hi.
     std::array<double, 2> robustRange{0, 1};  ///< As Scene::robustRange, around those of the surfaces.
-    bool rangeKnown = false;                  ///< Some value was finite; else the ranges stay as above.
+    bool rangeKnown = false;                  ///< Some value was finite; otherwise both ranges are 0 to 1.
 
     const std::array<double, 2>& rangeFor(const ShadingOptions& shading) const
     {
@@ -51,7 +51,7 @@ struct SceneColors {
 /// What is measured of a scene.
 struct SceneRanges {
     std::array<double, 2> scalarRange{0, 1};  ///< The values to colour by on the surface; finite, lo <= hi.
-    /// From the 2nd to the 98th percentile of these values by area; the same as above where that has no width.
+    /// From the 2nd to the 98th percentile of these values by area; scalarRange where that has no width.
     std::array<double, 2> robustRange{0, 1};
     bool scalarRangeKnown = false;  ///< Some value was finite; else the ranges stay as above.
     double maxVector = 0;           ///< Largest vector length: what `--normalize off` scales by.

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/byte_message.h"
+
 namespace aeolic {
 
 /// How much of a file's data was left out or changed: what there is to warn of. Where several ranks share a scene, each
@@ -27,6 +29,12 @@ struct Tally {
     bool sameThing(const Tally& other) const { return of == other.of && where == other.where; }
     bool operator==(const Tally&) const = default;
 };
+
+template <PerhapsConst<Tally> Each, class Visit>
+void withMembers(Each& tally, const Visit& visit)
+{
+    visit(tally.of, tally.where, tally.found, tally.also, tally.all, tally.longest);
+}
 
 /// One line each: none where nothing was found.
 std::vector<std::string> warningsOf(const Tally& tally);

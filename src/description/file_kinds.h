@@ -133,7 +133,8 @@ const UnreadKind* unreadKindOf(std::string_view path);
 /// ".vtp .pvtp …, or an OpenFOAM case's folder": the endings of data for the use.
 std::string fileKindsText(FileUse use);
 
-/// The text with those lists in the place of "{surfaces}" and "{fields}". It has no other braces.
+/// The text with what fileKindsText() says of surfaces and of fields in the place of "{surfaces}" and "{fields}". It
+/// has no other braces.
 std::string withFileKinds(std::string_view text);
 
 }  // namespace aeolic

@@ -27,7 +27,7 @@ std::vector<std::string> idleOptions(const SceneDescription& scene, const std::m
         for (const char* const name : names)
             if (given.contains(name)) found.push_back(std::string(name) + " has no effect " + why);
     };
-    /// A switch has no effect only where it was switched on.
+    // A switch is told of only where it was switched on: off, it has nothing to do.
     const auto addSwitch = [&](const char* name, bool isOn, const char* why) {
         if (isOn) add({name}, why);
     };

@@ -32,11 +32,13 @@ struct OptionChecker {
             checkWhole(naming(option), value, rule);
         } else if constexpr (std::is_same_v<Rule, NumberRule>) {
             for (const double number : value) checkNumber(naming(option), number, rule);
+        } else {
+            static_assert(std::is_same_v<Value, bool>, "values of this type would not be checked");
         }
     }
 };
 
-/// `where`: gives what messages call the range.
+/// Throws InputError where a range of colours does not ascend. `where()`: what messages call the range.
 template <class Where>
 void checkColorRange(const std::optional<std::array<double, 2>>& range, const Where& where)
 {

@@ -10,10 +10,10 @@
 /// scene's surface is whole in this process; `lookUp`: its fields.
 namespace aeolic {
 
-/// The topology that an overlay draws.
+/// The flow's topology, as numbers: that which an overlay draws.
 FlowTopology flowTopology(const Scene& scene, double persistence, const FieldLookup& lookUp);
 
-/// The open lines that an overlay draws.
+/// The open lines of separation and attachment, as numbers: those which an overlay draws.
 FlowTopology openLines(const Scene& scene, double persistence, const FieldLookup& lookUp);
 
 /// Evenly spaced streamlines, about as far apart as `spacingPx` pixels of the view (as StreamlineStrokes counts them)

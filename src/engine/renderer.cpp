@@ -128,7 +128,7 @@ Renderer::Renderer(SceneDescription description, const Data& data, std::shared_p
         checkImageMemory(description.output.width, description.output.height);
         state_ = std::make_unique<State>(std::move(description), std::move(ranks), host.cores);
     });
-    if (before) {  // Names of files, colour maps' too, mean what they meant.
+    if (before) {  // Names of files and of colour maps mean what they meant before.
         state_->folder = before->folder;
         state_->colorMaps = before->colorMaps;
     }

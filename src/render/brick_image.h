@@ -7,7 +7,7 @@
 
 namespace aeolic {
 
-/// The box of a field's brick, so many cells wider on each side. World.
+/// The box of a field's brick in world coordinates, `marginCells` cells wider on each side.
 Bounds brickBounds(const GridField& field, double marginCells);
 
 /// Local. The pixels in which the box of a field's brick may be seen: empty for an empty brick and for one beside the

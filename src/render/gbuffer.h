@@ -81,7 +81,7 @@ struct GBuffer {
         if (withScalar) scalar.resize(valid);
         if (withColors) colors.resize(valid);
     }
-    /// What the LIC stage reads alone. Rows that were there stay.
+    /// Makes `valid` the extent of flow and links, which are all that the LIC stage reads. Rows that were there stay.
     void rollFlow(const Extent& valid)
     {
         flow.roll(valid, valid.y0);

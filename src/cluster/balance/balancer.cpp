@@ -59,7 +59,15 @@ Stripes timingStripes(const BalanceInput& input)
 
 bool needsCoverage(Balance balance)
 {
-    return balance == Balance::pixels || balance == Balance::hybrid;
+    switch (balance) {
+        case Balance::equal:
+        case Balance::timing:
+            return false;
+        case Balance::pixels:
+        case Balance::hybrid:
+            return true;
+    }
+    throw std::logic_error("an unknown balancer");
 }
 
 Stripes balancedStripes(Balance balance, const BalanceInput& input)

@@ -42,7 +42,8 @@ bool within(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& poin
 /// `farthest` is not looked at; where nothing else is there, the distance is infinite.
 CellPlace nearestOnFace(const VolumeCells& cells, Corners face, const glm::dvec3& point, double farthest = kInfinity);
 
-/// The place on the cell's faces nearest to the point; `farthest` as above.
+/// The place on the cell's faces nearest to the point. Faces that are surely beyond `farthest` are not looked at; where
+/// all are, its distance is infinite.
 CellPlace nearestOn(const VolumeCells& cells, std::uint32_t cell, const glm::dvec3& point, double farthest = kInfinity);
 
 }  // namespace aeolic

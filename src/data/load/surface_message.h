@@ -32,16 +32,4 @@ LoadedSurface shareSurface(LoadedSurface mine, Agreement& agreement);
 /// Counts what a tally counts with that of the same thing, if there is one.
 void addTally(std::vector<Tally>& all, const Tally& tally);
 
-// Parts of messages.
-template <PerhapsConst<ArrayChoice> Array, class Visit>
-void withMembers(Array& array, const Visit& visit)
-{
-    visit(array.name, array.components);
-}
-template <PerhapsConst<Tally> Each, class Visit>
-void withMembers(Each& tally, const Visit& visit)
-{
-    visit(tally.of, tally.where, tally.found, tally.also, tally.all, tally.longest);
-}
-
 }  // namespace aeolic

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "data/mesh/triangle_order.h"
 
 namespace aeolic {
 namespace {
@@ -26,6 +25,17 @@ bool isDegenerate(const SurfaceMesh& mesh, const std::array<std::uint32_t, 3>& t
     return !(std::isfinite(longestSquared) && doubleArea > minHeightPerEdge * longestSquared);
 }
 
+/// Moves the kept elements to the front, in place; an empty array stays empty.
+template <class T>
+void keepOnly(std::vector<T>& values, const std::vector<std::uint8_t>& drop)
+{
+    if (values.empty()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!drop[i]) values[kept++] = values[i];
+    values.resize(kept);
+}
+
 }  // namespace
 
 std::size_t dropDegenerateTriangles(SurfaceMesh& mesh)
@@ -36,11 +46,10 @@ std::size_t dropDegenerateTriangles(SurfaceMesh& mesh)
     });
     const auto dropped = std::size_t(std::count(drop.begin(), drop.end(), 1));
     if (dropped == 0) return 0;
-    std::vector<std::uint32_t> kept;
-    kept.reserve(drop.size() - dropped);
-    for (std::uint32_t i = 0; i < drop.size(); ++i)
-        if (!drop[i]) kept.push_back(i);
-    takeTriangles(mesh, kept);
+    keepOnly(mesh.triangles, drop);
+    keepOnly(mesh.cellVectors, drop);
+    keepOnly(mesh.cellScalars, drop);
+    keepOnly(mesh.order, drop);
     return dropped;
 }
 

@@ -34,7 +34,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kLookAgainMs = 100;
 constexpr int kTriesToReap = 200, kReapMs = 10;
 constexpr off_t kMostWords = 64 << 10;   // Bytes of libraries' messages. No process is charged for memory files.
-constexpr std::size_t kMostTold = 2000;  // Of them in an error's message.
+constexpr std::size_t kMostTold = 2000;  // Bytes of them that an error's message quotes.
 
 /// The program that reads files of data. The environment variable AEOLIC_READER names it; else it is looked for beside
 /// the library: in its folder, in libexec/aeolic there, and in libexec/aeolic of the folder that the library's was
@@ -283,10 +283,11 @@ std::string ReaderProcess::endedHow()
     return fmt::format("exit code {}", WEXITSTATUS(status));
 }
 
-/// What its libraries have said, from a byte of it on.
+/// What the reader's libraries have said, from byte `from` on. They can move the end to anywhere, as it is the file's
+/// place to write.
 std::string ReaderProcess::words(long from) const
 {
-    const off_t end = lseek(words_.get(), 0, SEEK_CUR);
+    const off_t end = std::min(lseek(words_.get(), 0, SEEK_CUR), kMostWords);
     std::string text(std::size_t(std::max<off_t>(end - from, 0)), '\0');
     const ssize_t count = pread(words_.get(), text.data(), text.size(), from);
     text.resize(std::size_t(std::max<ssize_t>(count, 0)));

@@ -86,6 +86,12 @@ TEST_F(ReaderEnds, WithWords)
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST_F(ReaderEnds, WithItsPlaceInTheWordsMovedFarAway)
+{
+    const std::string said = saidWhere("perl -e 'sysseek STDERR, 1 << 62, 0'; exit 3");
+    EXPECT_NE(said.find("the reader ended (exit code 3)"), std::string::npos) << said;
+}
+
 /// Who asked for them gets them, once, and line by line.
 TEST_F(ReaderEnds, WithWordsThatSomebodyHears)
 {

@@ -14,7 +14,7 @@ struct SurfacePlace {
     glm::dvec3 weight{0};
 };
 
-/// Weights of a place in the triangle for some that are nearly those of one.
+/// Makes weights that are nearly those of a place in the triangle such: none is negative, and their sum is 1.
 inline glm::dvec3 insideTriangle(glm::dvec3 weight)
 {
     weight = glm::max(weight, glm::dvec3(0));

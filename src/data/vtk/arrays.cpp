@@ -21,13 +21,6 @@ namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 15;
 
-const ArrayInfo* findInfo(const std::vector<ArrayInfo>& arrays, const std::string& name, bool onPoints)
-{
-    for (const ArrayInfo& array : arrays)
-        if (array.onPoints == onPoints && array.name == name) return &array;
-    return nullptr;
-}
-
 /// The array of that whole name, else of the name behind point: or cell:.
 const ArrayInfo* findNamed(const std::vector<ArrayInfo>& arrays, const std::string& text)
 {
@@ -144,6 +137,13 @@ void convert(const Source* source, float* target, std::size_t count)
 }
 
 }  // namespace
+
+const ArrayInfo* findInfo(const std::vector<ArrayInfo>& arrays, const std::string& name, bool onPoints)
+{
+    for (const ArrayInfo& array : arrays)
+        if (array.onPoints == onPoints && array.name == name) return &array;
+    return nullptr;
+}
 
 vtkDataSetAttributes* attributesOf(vtkDataSet& data, bool onPoints)
 {

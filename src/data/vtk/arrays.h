@@ -30,14 +30,17 @@ struct ArrayInfo {
     std::vector<std::string> of = {};  ///< The file has its components only, as arrays of these names.
 };
 
-/// What a reader tells.
+/// The members that a reader tells of an array: all but `of`.
 template <PerhapsConst<ArrayInfo> Array, class Visit>
 void withMembers(Array& array, const Visit& visit)
 {
     visit(array.name, array.onPoints, array.components, array.vtkType, array.activeVectors, array.activeNormals);
 }
 
-/// The arrays on the points, or else those on the cells.
+/// The one of this name on points, or where `onPoints` is false on cells; null where there is none.
+const ArrayInfo* findInfo(const std::vector<ArrayInfo>& arrays, const std::string& name, bool onPoints);
+
+/// The arrays on the points, or where `onPoints` is false on the cells.
 vtkDataSetAttributes* attributesOf(vtkDataSet& data, bool onPoints);
 
 /// Gives `some` arrays like those of `all`, with the values of what `ids` lists, in that order.

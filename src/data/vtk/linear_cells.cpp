@@ -83,7 +83,7 @@ LagrangeCut cutTriangle(int degree)
     LagrangeCut cut{VTK_TRIANGLE, 3, {}};
     forEachTriangle(degree, [&](const Place2& a, const Place2& b, const Place2& c) {
         for (const auto& [i, j] : {a, b, c}) {
-            const vtkIdType steps[] = {i, j, degree - i - j};  // Those to the first corner come last.
+            const vtkIdType steps[] = {i, j, degree - i - j};  // VTK counts the first corner's last.
             cut.points.push_back(vtkHigherOrderTriangle::Index(steps, degree));
         }
     });

@@ -24,15 +24,6 @@ constexpr std::size_t bytesOf(NumberType type)
 template <class Real>
 std::from_chars_result readReal(const char* begin, const char* end, Real& value);
 
-/// The number that all of the text is, as std::from_chars() reads it; nothing where it is something else.
-template <class Number, class... Base>
-std::optional<Number> numberIn(std::string_view text, Base... base)
-{
-    Number number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, base...);
-    return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
-
 /// The real number that the whole text is, as readReal() reads it; none where the text is anything else.
 template <class Real>
 std::optional<Real> realIn(std::string_view text)

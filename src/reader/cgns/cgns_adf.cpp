@@ -69,7 +69,7 @@ std::optional<NumberType> typeNamed(const std::string& name)
     return std::nullopt;
 }
 
-/// What `get` of the library tells of a node in a text.
+/// The text that `get`, a function of the library, tells of a node.
 std::string adfText(const AdfFile& file, double id, int (*get)(int, double, char*))
 {
     const Hdf5Lock lock;

@@ -57,8 +57,8 @@ void forEachList(const CgnsSection& section, const Wholes& numbers, const Take& 
     }
 }
 
-/// Calls take(element, nodes) for each element of a kind, or of several kinds that each say which. Gets how many
-/// numbers they have in all.
+/// Calls take(element, nodes) for each element of a kind, or of several kinds that each say which. Returns how
+/// many numbers all of them have.
 template <class Take>
 std::size_t forEachElement(const CgnsSection& section, const Wholes& numbers, const Take& take)
 {
@@ -166,7 +166,7 @@ std::vector<PartCells> CgnsZone::cells() const
     return cells;
 }
 
-/// Elements of the zone's dimension; others are left out.
+/// The section's elements of the zone's dimension; others are left out.
 std::vector<PartCells> CgnsZone::cellsOf(const CgnsSection& section) const
 {
     if (section.type == kCgnsNgon) return {facesOf(section)};
@@ -232,6 +232,10 @@ std::vector<PartCells> CgnsZone::polyhedra() const
         const Wholes numbers = connectivityOf(section);
         PartCells own{CellShape::polyhedron, section.count(), {}, {}, {}};
         forEachList(section, numbers, [&](std::span<const std::int64_t> list) {
+            if (list.empty())
+                section.node->fail(
+                    fmt::format("element {} has 0 faces", section.first + std::int64_t(own.sizes.size())),
+                    "one or more");
             own.sizes.push_back(std::int64_t(list.size()));
             for (const std::int64_t said : list) {
                 const std::int64_t number = std::max(said, -std::numeric_limits<std::int64_t>::max()),

@@ -31,17 +31,20 @@ public:
     const std::string& name() const { return name_; }
     const std::string& label() const { return label_; }
 
-    virtual std::vector<std::string> names() const = 0;  ///< Of the nodes in it, in the file's order.
-    /// Null where there is no such node. A link is what it leads to; throws where that is nowhere.
+    virtual std::vector<std::string> names() const = 0;  ///< The names of the nodes in it, in the file's order.
+    /// The node of that name in it; null where there is none. A link is what it leads to; throws where that is nowhere.
     virtual CgnsNodePtr child(const std::string& name) const = 0;
-    std::vector<CgnsNodePtr> children(const std::string& label) const;  ///< Of the label, in the file's order.
-    CgnsNodePtr childOf(const std::string& label) const;                ///< The first; null where there is none.
+    /// The nodes in it that have the label, in the file's order.
+    std::vector<CgnsNodePtr> children(const std::string& label) const;
+    /// The first node in it that has the label; null where there is none.
+    CgnsNodePtr childOf(const std::string& label) const;
 
     virtual bool hasValue() const = 0;
-    virtual std::optional<NumberType> type() const = 0;    ///< Of the value; nothing where it is no numbers.
-    virtual std::vector<std::uint64_t> shape() const = 0;  ///< Of the value, fastest first, as CGNS says it.
-    std::string text() const;                              ///< Of the value; empty where it has none, or other numbers.
-    std::vector<std::string> texts() const;                ///< Of a value of several texts of one length.
+    virtual std::optional<NumberType> type()
+        const = 0;  ///< The type of the value's numbers; nothing where it has none.
+    virtual std::vector<std::uint64_t> shape() const = 0;  ///< The value's lengths, fastest first, as CGNS says them.
+    std::string text() const;                              ///< The value as a text; empty where it is no text.
+    std::vector<std::string> texts() const;                ///< The value as several texts of one length.
     std::vector<std::int64_t> wholes() const;              ///< Throws where the value is no whole numbers.
 
     using Places = std::vector<std::uint64_t>;
@@ -78,7 +81,7 @@ private:
 /// The root of a CGNS file. Throws InputError, which begins with the path, where the file is no CGNS file.
 CgnsNodePtr openCgnsTree(const std::string& path);
 
-/// That of a file in HDF5, or in ADF, the form of files before. Throws InputError.
+/// The root of a CGNS file in HDF5, or in ADF, the form of older files. Throws InputError.
 CgnsNodePtr openHdf5Cgns(const std::string& path);
 CgnsNodePtr openAdfCgns(const std::string& path);
 

@@ -12,7 +12,6 @@
 
 #include "aeolic/error.h"
 #include "base/text.h"
-#include "reader/binary/numbers.h"
 
 namespace aeolic {
 namespace {
@@ -23,7 +22,7 @@ namespace fs = std::filesystem;
 template <class Number>
 std::optional<Number> numberOf(const std::string& word)
 {
-    return numberIn<Number>(std::string_view(word).substr(word.starts_with('+') ? 1 : 0));
+    return wholeTextAs<Number>(std::string_view(word).substr(word.starts_with('+') ? 1 : 0));
 }
 
 class CaseText {
@@ -58,10 +57,10 @@ public:
     }
 
 private:
-    /// What is said of one so far.
+    /// What the lines read so far say of a time set.
     struct TimeSet {
         int number = 0;
-        std::size_t steps = 0;  // 0: it is not said.
+        std::size_t steps = 0;  // 0: not said yet.
         long start = 0, increment = 1;
         std::vector<std::string> values, numbers;
     };

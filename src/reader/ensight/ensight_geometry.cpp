@@ -164,7 +164,7 @@ private:
         return sumOf(stream_, cells.ofFaces, "a face", "corners", 3);
     }
 
-    /// Leaves the corners alone of elements that have so many `nodes`.
+    /// Drops the points between corners. `nodes`: how many points each element has in the file.
     static void dropPointsBetween(PartCells& cells, std::size_t nodes)
     {
         const std::size_t corners = cornersOf(cells.shape);

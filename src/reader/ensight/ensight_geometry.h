@@ -16,7 +16,7 @@ struct EnSightSection {
     std::string name;  ///< "hexa8", "g_hexa8"; "block" where the part is one.
     std::size_t count = 0;
     bool kept = false;  ///< A face or a cell. Ghosts, lines and points are only counted.
-    PartCells cells;    ///< Of those that are kept, without the points between corners.
+    PartCells cells;    ///< Of a section that is kept, without the points between corners.
 };
 
 struct EnSightPart {

@@ -141,11 +141,11 @@ public:
     PartMesh read(std::size_t number, const std::vector<std::size_t>& wanted) override
     {
         parts();
-        const EnSightPart& part = geometry_->parts[number];
+        EnSightPart& part = geometry_->parts[number];
         PartMesh mesh;
         mesh.points = pointsOf(part);
-        for (const EnSightSection& section : part.sections)
-            if (section.kept) mesh.cells.push_back(section.cells);
+        for (EnSightSection& section : part.sections)
+            if (section.kept) mesh.cells.push_back(std::move(section.cells));  // A part is read once.
         for (const std::size_t array : wanted) {
             const EnSightVariable& variable = case_.variables[array];
             auto& all = values_[array];

@@ -37,7 +37,10 @@ EnSightStream::EnSightStream(const EnSightPlace& place) : path_(place.path), dat
         at_ = kRecord;
     } else if (beginsWith(kMarker, "fortran binary")) {
         format_.encoding = EnSightEncoding::fortran;
-        format_.swapped = rawInteger() != std::int32_t(kRecord);
+        const std::int32_t marker = rawInteger();
+        format_.swapped = marker != std::int32_t(kRecord);
+        at_ = 0;
+        if (rawInteger() != std::int32_t(kRecord)) fail(fmt::format("its first record has {} bytes", marker), "80");
         at_ = 0;
         line();
     } else if (data_.find('\0') < kRecord) {

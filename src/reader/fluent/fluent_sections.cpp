@@ -141,7 +141,7 @@ std::vector<std::string> FluentText::words(const FluentSection& section) const
 
 std::int64_t FluentText::number(const std::string& word, int base) const
 {
-    const auto value = numberIn<std::int64_t>(word, base);
+    const auto value = wholeTextAs<std::int64_t>(word, base);
     if (!value || *value < 0) fail(fmt::format("found '{:.40}' in a section's head", word), "a whole number from 0");
     return *value;
 }
@@ -182,7 +182,7 @@ std::int64_t FluentNumbers::whole()
 {
     if (section_.binary) return fromBytes<std::int64_t>(NumberType::int32);
     const std::string_view text = word();
-    const auto value = numberIn<std::int64_t>(text, 16);
+    const auto value = wholeTextAs<std::int64_t>(text, 16);
     if (!value) isNone(text, "a whole number to the base 16");
     return *value;
 }

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "aeolic/error.h"
-#include "reader/binary/numbers.h"
+#include "base/text.h"
 
 namespace aeolic {
 namespace {
@@ -37,7 +37,7 @@ std::map<double, std::string> timeFolders(const fs::path& folder)
 {
     std::map<double, std::string> times;
     for (const std::string& name : namesInFolder(folder)) {
-        const auto time = numberIn<double>(name);
+        const auto time = wholeTextAs<double>(name);
         const bool isTime = time && std::isfinite(*time) && name.front() != '-';
         if (isTime && isFolder(folder / name) && hasData(folder / name)) times.emplace(*time, name);
     }
@@ -61,30 +61,30 @@ std::vector<std::string> regionsOf(const fs::path& folder)
 struct ProcessorFolder {
     std::string name;
     int first = 0, last = 0;
-    std::optional<int> all;  ///< How many there are, of several.
+    std::optional<int> all;  ///< How many processors the case has, where the folder is of several.
 };
 
 std::optional<ProcessorFolder> processorFolder(const std::string& name)
 {
     if (!name.starts_with(kProcessor)) return std::nullopt;
     std::string_view rest = std::string_view(name).substr(kProcessor.size());
-    if (const auto number = numberIn<int>(rest)) return ProcessorFolder{name, *number, *number, {}};
+    if (const auto number = wholeTextAs<int>(rest)) return ProcessorFolder{name, *number, *number, {}};
     if (!rest.starts_with('s')) return std::nullopt;
     rest.remove_prefix(1);
     const std::size_t under = std::min(rest.find('_'), rest.size());
-    const auto all = numberIn<int>(rest.substr(0, under));
+    const auto all = wholeTextAs<int>(rest.substr(0, under));
     if (!all || *all < 1) return std::nullopt;
     if (under == rest.size()) return ProcessorFolder{name, 0, *all - 1, all};
     const std::string_view run = rest.substr(under + 1);
     const std::size_t dash = std::min(run.find('-'), run.size());
-    const auto first = numberIn<int>(run.substr(0, dash));
-    const auto last = dash == run.size() ? first : numberIn<int>(run.substr(dash + 1));
+    const auto first = wholeTextAs<int>(run.substr(0, dash));
+    const auto last = dash == run.size() ? first : wholeTextAs<int>(run.substr(dash + 1));
     if (!first || !last || *first < 0 || *last < *first) return std::nullopt;
     return ProcessorFolder{name, *first, *last, all};
 }
 
-/// processor0, processor1 … in the order of their numbers, of which none may be missing; where there are none of these,
-/// the blocks of collated files, likewise.
+/// processor0, processor1 … in the order of their numbers, of which none may be missing. Where there are none of these,
+/// the folders of collated files in the order of their processors, of which none may be missing either.
 std::vector<FoamPath> processorFolders(const fs::path& root, const std::string& name)
 {
     std::vector<ProcessorFolder> found;
@@ -115,7 +115,7 @@ void requireNeighbours(const FoamCase& foam)
             for (const FoamPatch& patch : readFoamBoundary(foamMeshFile(folder, region, -1, "boundary"))) {
                 const std::size_t to = patch.name.rfind("to");
                 if (!patch.type.starts_with(kProcessor) || to == std::string::npos) continue;
-                const auto number = numberIn<int>(std::string_view(patch.name).substr(to + 2));
+                const auto number = wholeTextAs<int>(std::string_view(patch.name).substr(to + 2));
                 if (number && *number >= int(foam.folders.size()))
                     throw InputError(foam.name,
                                      fmt::format("there is no processor{}, which '{}' of {} names", *number, patch.name,
@@ -238,7 +238,7 @@ std::vector<FoamPatch> readFoamBoundary(const FoamPath& file)
             if (key == "inGroups")
                 while (in.peekToken() != ";" && !in.peekToken().empty()) {
                     const std::string word = in.token();
-                    if (word != "(" && word != ")" && !word.starts_with("List<") && !numberIn<int>(word))
+                    if (word != "(" && word != ")" && !word.starts_with("List<") && !wholeTextAs<int>(word))
                         patch.groups.push_back(word);
                 }
             in.skipEntry(item);

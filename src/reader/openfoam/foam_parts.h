@@ -15,8 +15,8 @@ namespace aeolic {
 /// Its cells for a field, a part for each region; else its patches.
 std::unique_ptr<PartSource> openFoamCase(const std::string& path, FileUse use, std::optional<double> time);
 
-/// Its times from the first on that has all of the arrays that are there at any time. Later ones may lack them where
-/// the first of all times has them.
+/// The times of a case from the first on that has all of the arrays that are there at any time. Later ones may lack
+/// them where the first of all times has them.
 std::vector<double> foamTimes(const std::string& path, const std::vector<std::string>& arrays);
 
 /// 1 for each of its processors, which are dealt out one by one. Patches of several regions are read as one piece:

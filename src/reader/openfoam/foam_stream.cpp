@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "aeolic/error.h"
+#include "base/text.h"
 
 namespace aeolic {
 namespace {
@@ -208,7 +209,7 @@ Number FoamStream::number(const std::string& item)
     if constexpr (std::is_same_v<Number, double>)
         value = realIn<double>(plain);
     else
-        value = numberIn<Number>(plain);
+        value = wholeTextAs<Number>(plain);
     if (!value)
         fail(fmt::format("{}: found {}", item, shown(text)),
              std::is_same_v<Number, double> ? "a number" : "a whole number");

@@ -125,7 +125,8 @@ std::vector<Entry> readBoundaryField(const FoamPath& file, int components, const
     return entries;
 }
 
-/// A field's values in cells, likewise.
+/// Reads a field's values in cells: calls take(index, values) with those of a list, and returns how many there are.
+/// Nothing is returned where all cells have the same, which is then in `uniform`.
 std::optional<std::uint64_t> forEachCell(FoamStream& in, int components, std::vector<float>& uniform,
                                          const FoamStream::TakeValues& take)
 {

@@ -36,7 +36,7 @@ struct PolygonList {
     }
 };
 
-/// Size 0 stands for no polygon.
+/// Polygons with 64-bit numbers. One of size 0 stands for no polygon.
 using FaceList = PolygonList<std::int64_t>;
 
 /// Faces, and which cells of a volume they belong to.

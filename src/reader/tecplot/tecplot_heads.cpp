@@ -8,7 +8,6 @@
 
 #include "aeolic/error.h"
 #include "base/text.h"
-#include "reader/binary/numbers.h"
 
 namespace aeolic {
 namespace {
@@ -39,7 +38,7 @@ std::string upper(std::string_view text)
     return out;
 }
 
-/// Passes through a file's text.
+/// Reads what the records of a Tecplot file say, and passes over its numbers.
 class HeadsText {
 public:
     HeadsText(std::string_view text, const std::string& path) : text_(text), path_(path) {}
@@ -198,7 +197,7 @@ private:
 
     std::int64_t whole(const std::string& key, const std::string& value) const
     {
-        const auto number = numberIn<std::int64_t>(value);
+        const auto number = wholeTextAs<std::int64_t>(value);
         if (!number) fail(fmt::format("has the {} '{:.40}'", key, value), "a whole number");
         return *number;
     }
@@ -233,7 +232,7 @@ private:
                 found_.zones[other].sharedCells.value_or(other);  // Whose they are in the end: a step, not a walk.
         }
         if (key == "SOLUTIONTIME") {
-            const auto time = numberIn<double>(value);
+            const auto time = wholeTextAs<double>(value);
             if (!time || !std::isfinite(*time))
                 fail(fmt::format("has the SOLUTIONTIME '{:.40}'", value), "a finite number");
             zone.time = *time;

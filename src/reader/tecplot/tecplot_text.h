@@ -36,7 +36,7 @@ struct TecplotHeads {
     std::vector<TecplotZone> zones;
 };
 
-/// Reads them in a file's text. Numbers are passed over. Throws InputError, which begins with `path`.
+/// Reads what the records of a file's text say. Numbers are passed over. Throws InputError, which begins with `path`.
 TecplotHeads readTecplotHeads(std::string_view text, const std::string& path);
 
 /// A Tecplot file in text, all of it in memory. Every failure is an InputError that begins with the file's name.

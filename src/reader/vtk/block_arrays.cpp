@@ -18,16 +18,10 @@ int vtkTypeOf(NumberType type)
     return types[std::size_t(type)];
 }
 
-bool isAmong(const std::vector<ArrayInfo>& arrays, const std::string& name, bool onPoints)
-{
-    return std::ranges::any_of(arrays,
-                               [&](const ArrayInfo& each) { return each.name == name && each.onPoints == onPoints; });
-}
-
 void addOthers(std::vector<ArrayInfo>& arrays, const std::vector<ArrayInfo>& more)
 {
     for (const ArrayInfo& array : more)
-        if (!isAmong(arrays, array.name, array.onPoints)) arrays.push_back(array);
+        if (!findInfo(arrays, array.name, array.onPoints)) arrays.push_back(array);
 }
 
 vtkSmartPointer<vtkFloatArray> floatArray(const std::string& name, int components, std::size_t tuples)
@@ -46,11 +40,6 @@ void addBlock(vtkMultiBlockDataSet& blocks, vtkDataObject* data, const std::stri
     blocks.GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), name.c_str());
 }
 
-vtkDataSetAttributes& valuesOf(vtkDataSet& data, bool onPoints)
-{
-    return *data.GetAttributes(onPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
-}
-
 void unifyArrays(vtkDataSet& block, const std::vector<ArrayInfo>& kept)
 {
     for (const ArrayInfo& array : kept) {
@@ -64,7 +53,7 @@ void unifyArrays(vtkDataSet& block, const std::vector<ArrayInfo>& kept)
                                 std::size_t(array.onPoints ? block.GetNumberOfPoints() : block.GetNumberOfCells()));
             values->FillValue(std::nanf(""));
         }
-        valuesOf(block, array.onPoints).AddArray(values);
+        attributesOf(block, array.onPoints)->AddArray(values);
     }
 }
 

@@ -17,10 +17,7 @@ namespace aeolic {
 /// VTK's number for the type.
 int vtkTypeOf(NumberType type);
 
-/// Whether one of the arrays has this name on points, or on cells.
-bool isAmong(const std::vector<ArrayInfo>& arrays, const std::string& name, bool onPoints);
-
-/// Puts those arrays behind the others whose name is not among them.
+/// Appends those of `more` whose name and place, points or cells, `arrays` does not have.
 void addOthers(std::vector<ArrayInfo>& arrays, const std::vector<ArrayInfo>& more);
 
 /// An array whose values are not set yet.
@@ -40,8 +37,6 @@ vtkSmartPointer<Array> arrayOf(const std::string& name, int components, const st
 
 /// Puts a block of this name behind the others.
 void addBlock(vtkMultiBlockDataSet& blocks, vtkDataObject* data, const std::string& name);
-
-vtkDataSetAttributes& valuesOf(vtkDataSet& data, bool onPoints);
 
 /// Gives a block all these arrays as floats. Blocks are put together, where VTK drops arrays that differ in type. A
 /// block that has no such array, or one of other components, gets one of NaN.

@@ -159,7 +159,7 @@ void DataFile::keepOnly(const std::vector<ArrayInfo>& arrays)
         xml->GetCellDataArraySelection()->DisableAllArrays();
     }
     for (const ArrayInfo& array : announced_) {
-        const bool wanted = isAmong(arrays, array.name, array.onPoints);
+        const bool wanted = findInfo(arrays, array.name, array.onPoints) != nullptr;
         if (!wanted && !isMaskName(array.name) && array.name != kHigherOrderDegrees) continue;
         kept_.push_back(array);
         if (!xml) continue;

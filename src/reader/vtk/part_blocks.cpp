@@ -59,7 +59,7 @@ vtkSmartPointer<vtkDataObject> PartBlocks::read(const std::vector<ArrayInfo>& ke
     std::vector<std::size_t> wanted;
     for (std::size_t i = 0; i < source_->arrays().size(); ++i) {
         const PartArray& array = source_->arrays()[i];
-        if (!isAmong(kept, array.name, array.onPoints)) continue;
+        if (!findInfo(kept, array.name, array.onPoints)) continue;
         arrays.push_back(array);
         wanted.push_back(i);
     }

@@ -215,7 +215,7 @@ vtkSmartPointer<vtkPointSet> dataSetOf(PartMesh part, int dimension, const std::
     if (!places.empty()) set->GetCellData()->AddArray(arrayOf<vtkTypeUInt64Array>(kTrianglesPlaces, 1, places));
     for (std::size_t i = 0; i < arrays.size(); ++i) {
         const PartArray& array = arrays[i];
-        valuesOf(*set, array.onPoints).AddArray(maker.values(array, i < values.size() ? values[i] : nullptr));
+        attributesOf(*set, array.onPoints)->AddArray(maker.values(array, i < values.size() ? values[i] : nullptr));
     }
     return set;
 }

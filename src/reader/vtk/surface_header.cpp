@@ -38,7 +38,7 @@ protected:
 };
 vtkStandardNewMacro(PolyDataHeader);
 
-/// Up to so many bytes from there on.
+/// Up to `count` bytes of the file, from `begin` on.
 std::string bytesAt(const std::string& path, std::uint64_t begin, std::size_t count)
 {
     std::ifstream file(path, std::ios::binary);

@@ -144,7 +144,7 @@ public:
 
     const GBuffer& gbuffer() override
     {
-        // What no stage reads or writes holds anything.
+        // Beside the surface's columns no stage writes, so anything may stand there. Whoever looks gets zeros.
         for (int y = buffer_.valid().y0; y < buffer_.valid().y1; ++y) {
             buffer_.invDepth.clearBeside(y, buffer_.surfaceColumns(y));
             buffer_.flow.clearBeside(y, buffer_.surfaceColumns(y));

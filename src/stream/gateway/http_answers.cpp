@@ -14,8 +14,8 @@ namespace {
 
 namespace http = boost::beast::http;
 
-/// A file of the page, as bytes in the program.
-struct WebAsset {
+/// Bytes, and their type for a browser.
+struct TypedText {
     std::string_view bytes, contentType;
 };
 
@@ -32,12 +32,12 @@ std::string_view contentType(std::string_view name)
 }
 
 /// `path` is that of a request, without the query: "/", "/net/session.js". Nothing for a path outside of the page.
-std::optional<WebAsset> webAsset(std::string_view path)
+std::optional<TypedText> webAsset(std::string_view path)
 {
     if (path.empty() || path.front() != '/') return std::nullopt;
     const std::string_view name = path == "/" ? "index.html" : path.substr(1);
     for (const EmbeddedFile* file = aeolicWebFiles; file->name; ++file)
-        if (name == file->name) return WebAsset{file->bytes(), contentType(name)};
+        if (name == file->name) return TypedText{file->bytes(), contentType(name)};
     return std::nullopt;
 }
 
@@ -68,7 +68,7 @@ std::string policyFor(const HttpRequest& request, const HttpRules& rules)
            (rules.embedded ? kPagesOfThisHost : "'none'");
 }
 
-HttpResponse textAnswer(const HttpRequest& request, http::status status, const WebAsset& text)
+HttpResponse textAnswer(const HttpRequest& request, http::status status, const TypedText& text)
 {
     HttpResponse response = emptyAnswer(request, status);
     response.set(http::field::content_type,

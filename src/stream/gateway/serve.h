@@ -9,7 +9,8 @@
 
 namespace aeolic::stream {
 
-/// The job's words and hosts, and the web server's rules but the token, are made from the rest.
+/// What the server is asked for. serve() fills in the rest: of `web` TLS, how many connections there may be, and all
+/// rules but `token`, `embedded` and `sessions`; of `job` its words, where ranks connect to, and what they are told.
 struct ServeOptions {
     Hub::Options hub;
     WebServerOptions web;

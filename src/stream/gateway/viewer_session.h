@@ -47,9 +47,7 @@ private:
     bool readerEnded_ = false, writerEnded_ = false;
     std::optional<SteadyClock::time_point> writing_;  ///< Since when a message is being written.
     std::optional<Seat> seat_;                        ///< From the viewer's Hello on.
-    /// For messages: 120 views, as many acknowledgements, and some more. A network may hold messages up and let them go
-    /// at once.
-    Allowance rate_{600, 300};
+    Allowance rate_{kMessagesAtOnce, kMessagesPerSecond};
     std::shared_ptr<CommonRate> common_;
 };
 

@@ -21,12 +21,12 @@ constexpr std::uint32_t kMostHeaderBytes = 8 * 1024, kMostBodyBytes = 1024;
 
 Tcp::acceptor listenForViewers(asio::io_context& io, const std::string& host, std::uint16_t port)
 {
-    boost::system::error_code unknown;
-    Tcp::resolver(io).resolve(host, "0", Tcp::resolver::passive, unknown);
-    if (unknown) throw InputError("--host", "'" + host + "' (" + unknown.message() + ")", "an address of this host");
     try {
         return listenOn(io, host, {port, port});
     } catch (const boost::system::system_error& error) {
+        const auto& category = error.code().category();
+        if (category == asio::error::get_netdb_category() || category == asio::error::get_addrinfo_category())
+            throw InputError("--host", "'" + host + "' (" + error.code().message() + ")", "an address of this host");
         throw InputError("--port", std::to_string(port) + " on " + host + " (" + error.code().message() + ")",
                          "a free port of an address of this host");
     }

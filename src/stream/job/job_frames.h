@@ -58,7 +58,7 @@ private:
 /// `asked` has the renderer's own surfaces.
 void show(const SceneDescription& asked, Renderer& renderer);
 
-/// Collective. Where the gateway is: what addressToJson() has written for rank 0, which tells the others.
+/// Collective. The gateway's address, on all ranks. `line`: what addressToJson() wrote; that of rank 0 counts.
 GatewayAddress addressForAll(Communicator& ranks, const std::string& line);
 
 /// What the gateway has to know about this rank when it joins.

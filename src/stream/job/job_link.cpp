@@ -79,7 +79,7 @@ void JobLink::close()
 {
     {
         std::unique_lock lock(mutex_);
-        if (std::exchange(closing_, true) || !thread_.joinable()) return;
+        if (std::exchange(closing_, true)) return;
         asio::post(io_, [this] { wake_.cancel(); });
         changed_.wait(lock, [&] { return writerEnded_; });
     }
@@ -100,7 +100,7 @@ asio::awaitable<void> JobLink::readAll()
     }
 }
 
-/// False where the gateway ends the connection now, as it was asked to.
+/// Takes in a message of the gateway's. False after the last one, behind which nothing comes.
 bool JobLink::take(WireMessage message)
 {
     const auto type = MessageType((*message)[2]);
@@ -179,7 +179,7 @@ asio::awaitable<void> JobLink::writeQueue()
     }
 }
 
-/// The mutex is held.
+/// Appends a message to those to be sent, and wakes the writer. The caller holds the mutex.
 void JobLink::queue(WireMessage message)
 {
     queuedBytes_ += message->size();

@@ -61,7 +61,7 @@ private:
     std::chrono::steady_clock::time_point heard_;
     bool pongQueued_ = false;
 
-    std::mutex mutex_;  ///< For what follows.
+    std::mutex mutex_;  ///< Guards all down to `writerEnded_`.
     std::condition_variable changed_;
     std::deque<WireMessage> received_, toSend_;
     std::size_t queuedBytes_ = 0;

@@ -72,7 +72,7 @@ FileFacts factsOf(const std::string& file)
     return entry->second;
 }
 
-/// What the values of an array are called, of vectors those of their length.
+/// The name of an array's values; of vectors that of their lengths, NAME:mag.
 std::string valuesName(const ArrayChoice& array)
 {
     return array.components == 1 ? array.name : array.name + ":mag";

@@ -8,6 +8,7 @@
 
 namespace aeolic::stream {
 
+/// Waits for so long.
 asio::awaitable<void> pauseFor(std::chrono::steady_clock::duration time);
 
 /// Hands every connection to `take` until the acceptor is closed; the coroutine may end after whoever has closed it.

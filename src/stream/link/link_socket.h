@@ -21,7 +21,7 @@ public:
     void heardAt(std::chrono::steady_clock::time_point when) { heard_ = when; }
     void close();
 
-    // For the thread of the socket's io_context. One read and one write may be pending at a time.
+    // Only the thread of the socket's io_context may call these. One read and one write may be pending at a time.
     asio::awaitable<void> startTls(TlsSide side, bool isServer);
     asio::awaitable<void> read(std::uint8_t* to, std::size_t count);
     asio::awaitable<void> write(ByteView bytes);

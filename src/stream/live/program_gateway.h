@@ -17,8 +17,8 @@ namespace aeolic::stream {
 /// nothing, and where a rank goes, nothing comes back.
 class ProgramGateway {
 public:
-    /// Opens the ports. `onOneHost`: no rank comes from another host. `web` lacks what only this class knows. Throws
-    /// InputError where a port cannot be had.
+    /// Opens the ports. `onOneHost`: no rank comes from another host. What `web` lacks is filled in: the status, the
+    /// host's names and how many connections there may be. Throws InputError where a port cannot be had.
     ProgramGateway(Hub::Options hub, WebServerOptions web, int ranks, bool onOneHost)
         : hub_(std::move(hub), [this](const WireMessage& message) { jobLinks_.send(message); }),
           jobLinks_(

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/byte_message.h"
 #include "data/field_facts.h"
 #include "data/load/agreement.h"
 #include "data/load/field/dealt_volume.h"
@@ -14,14 +13,6 @@
 namespace aeolic {
 
 class GridFile;
-
-// Facts as parts of messages.
-template <PerhapsConst<FieldFacts> Facts, class Visit>
-void withMembers(Facts& facts, const Visit& visit)
-{
-    visit(facts.hasScalar, facts.ofVectors, facts.scalarName, facts.vectorsName, facts.arrays, facts.name,
-          facts.offered, facts.timeSteps, facts.tallies);
-}
 
 /// One moment of a field and of the surfaces that are cut out of it.
 struct FieldStep : FieldFacts {

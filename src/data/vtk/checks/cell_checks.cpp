@@ -82,7 +82,8 @@ struct Corners {
 
 constexpr vtkIdType kAny = -1;
 
-/// By VTK's type. VTK makes empty cells of the hidden ones of structured grids, with their corners.
+/// How many corners a cell has, at least and at most, by VTK's type. VTK makes empty cells of the hidden ones of
+/// structured grids, with their corners.
 constexpr auto kCorners = [] {
     struct OfType {
         int type;

@@ -17,7 +17,8 @@ unsigned char cellTypeOf(std::int64_t type, std::int64_t cell, const std::string
 /// VTK's filters trust files blindly. Throws InputError, which begins with `where` and names the first bad cell, unless
 /// every cell of the array refers to points that there are. `kind`: what these cells are called. Parallel.
 void requireSoundCells(vtkCellArray& cells, vtkIdType points, const std::string& where, std::string_view kind = "cell");
-/// Throws the same unless the vertices, lines, polygons and strips of `polyData` refer to points that it has.
+/// Throws InputError, which begins with `where`, unless the vertices, lines, polygons and strips of `polyData` refer to
+/// points that it has.
 void requireSoundCells(vtkPolyData& polyData, const std::string& where);
 
 /// Throws InputError, which begins with `path`, unless every array has a tuple for

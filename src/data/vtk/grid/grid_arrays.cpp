@@ -22,8 +22,7 @@ std::vector<ArrayInfo> GridArrays::all() const
 {
     std::vector<ArrayInfo> all{vectors};
     const auto add = [&](const ArrayInfo& array) {
-        if (std::none_of(all.begin(), all.end(), [&](const ArrayInfo& a) { return sameArray(a, array); }))
-            all.push_back(array);
+        if (!findInfo(all, array.name, array.onPoints)) all.push_back(array);
     };
     if (scalar) add(scalar->array);
     for (const auto& [name, choice] : contours) add(choice.array);

@@ -46,7 +46,7 @@ std::string dimsText(const Dims& dims)
     return fmt::format("{} x {} x {}", dims[0], dims[1], dims[2]);
 }
 
-/// `what`: there are so many of.
+/// The dimensions for VTK. Throws InputError where they are negative or too large. `what` they count: points, samples.
 std::array<int, 3> checkedDims(const Dims& dims, const char* what, const std::string& name)
 {
     double all = 1;

@@ -52,7 +52,7 @@ std::vector<double> realsOf(const Hdf5Object& group, const char* attribute, cons
 
 void addValues(vtkDataSet& to, const ArrayInfo& info, const Hdf5Object& data, const Slab& slab)
 {
-    vtkDataSetAttributes& all = valuesOf(to, info.onPoints);
+    vtkDataSetAttributes& all = *attributesOf(to, info.onPoints);
     if (isMaskName(info.name))
         all.AddArray(arrayOf<vtkUnsignedCharArray>(info.name, info.components, data.read<std::int8_t>(slab)));
     else

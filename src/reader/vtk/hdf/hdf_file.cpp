@@ -106,7 +106,7 @@ private:
             if (set.times()[i] <= time_) step = i;
         std::vector<ArrayInfo> own;
         for (const ArrayInfo& array : set.arrays())
-            if (isAmong(kept, array.name, array.onPoints)) own.push_back(array);
+            if (findInfo(kept, array.name, array.onPoints)) own.push_back(array);
         return set.read(step, own);
     }
 

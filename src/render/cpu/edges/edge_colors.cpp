@@ -94,7 +94,7 @@ constexpr std::uint32_t kAhead = 8;
 
 /// A pixel's samples, of which some show what no pixel's centre does. They have the nearest candidate's colours.
 struct UnseenSamples {
-    static constexpr std::size_t kMost = EdgePixels::kPadding;  ///< Whole vectors.
+    static constexpr std::size_t kMost = EdgePixels::kPadding;  ///< kSamples, up to a whole vector.
     static_assert(kMost >= std::size_t(antialias::kSamples));
 
     std::uint8_t which = 0;  ///< A bit for each sample.
@@ -222,6 +222,7 @@ HWY_INLINE void addTaken(const Candidates& candidates, const float* light, const
 HWY_INLINE void addUnseen(const Palette& palette, const UnseenSamples& samples, ColorSum& sum)
 {
     const DF d;
+    static_assert(UnseenSamples::kMost >= hn::MaxLanes(DF()));
     HWY_ALIGN std::uint32_t colors[UnseenSamples::kMost];
     for (std::size_t i = 0; i < std::size_t(antialias::kSamples); i += hn::Lanes(d))
         hn::Store(surfaceColor(palette, hn::Zero(d), hn::Load(d, samples.light + i), hn::Load(d, samples.scalar + i),

@@ -63,8 +63,9 @@ HWY_INLINE VF phaseGain(VF own, VF down, VF up, const ContrastModel& contrast)
     return hn::Sqrt(hn::Div(atRest, hn::Max(now, hn::Mul(atRest, hn::Set(d, 1 / most)))));
 }
 
-/// What traces gathered to the LIC value: the weighted sum, noise bytes times pixels; the pixel's own length; how far
-/// they walked in either direction, pixels, weights counted, and the stream tube's width at the end.
+/// The LIC value of what traces gathered. `sum`: of weighted noise, bytes times pixels. `own`: the pixel's own length.
+/// `down`, `up`: how many pixels were walked that way, weights counted; `downWidth`, `upWidth`: the stream tube's at
+/// the end.
 HWY_INLINE VF licValue(VF sum, VF own, VF down, VF downWidth, VF up, VF upWidth, const ContrastModel& contrast)
 {
     const DF d;

@@ -51,7 +51,7 @@ struct HierarchicalPass {
     const NearFlow& near;
     Hierarchy& memory;
     KernelModel kernel;
-    float ownWeight;  ///< The kernel's at the pixel itself.
+    float ownWeight;  ///< The kernel's weight at the pixel itself.
     Streaks streaks;
     ContrastModel contrast;
     LicImage& out;

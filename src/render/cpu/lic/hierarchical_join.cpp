@@ -27,7 +27,7 @@ struct BothWays {
     }
     HWY_INLINE bool anyAlive() const { return !hn::AllFalse(DF(), hn::Or(down.trace.alive, up.trace.alive)); }
 
-    // The jumps of the pixels `at` themselves.
+    // Begins both walks, with the jumps that start on the pixels `at` themselves.
     HWY_INLINE void first(const JumpLevel& downLevel, const JumpLevel& upLevel, std::ptrdiff_t at)
     {
         firstJump<kWeighted>(downLevel, at, down.trace, down.walk);

@@ -42,7 +42,7 @@ HWY_INLINE VF highHalf(VU v)
 }
 inline constexpr float kHalfUnit = 1.0f / 65536.0f;
 
-/// Whole numbers within a range.
+/// `v` rounded to whole numbers, none below `least` or above `most`.
 HWY_INLINE VI clampedWhole(VF v, int least, int most)
 {
     return hn::Min(hn::Max(wholeNumber(v), hn::Set(DI(), least)), hn::Set(DI(), most));

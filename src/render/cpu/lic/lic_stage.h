@@ -14,8 +14,8 @@ namespace aeolic::cpu {
 class LicStage {
 public:
     /// What Backend::convolve() does, from `buffer`: vectors, links and jumps of rows that others own are received as
-    /// far as traces sample them. Local without `guards`. Of a window that goes down a plane, only those jumps are
-    /// computed that depend on fresh rows.
+    /// far as traces sample them. Local without `guards`. `fresh`: where `buffer` is a window that goes down a plane,
+    /// the rows that are new. Only the jumps that depend on them are computed.
     void run(GBuffer& buffer, const LicOptions& lic, const Extent& compute, GuardExchange* guards,
              const FreshRows& fresh = {});
 
@@ -45,7 +45,7 @@ private:
     Hierarchy hierarchy_;
     FlattenStage flatten_;
     LicImage lic_;
-    Image<std::uint32_t> words_;  // along_flow.h
+    Image<std::uint32_t> words_;  // A pixel's value and links in one (along_flow.h).
 };
 
 }  // namespace aeolic::cpu

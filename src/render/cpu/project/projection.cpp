@@ -14,7 +14,7 @@
 namespace aeolic::cpu {
 namespace {
 
-/// What traces look at.
+/// Makes the tile background in flow and links, which are what traces look at.
 void clearFlow(const Extent& tile, GBuffer& out)
 {
     constexpr int kRowsAhead = 8;

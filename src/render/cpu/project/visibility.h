@@ -53,7 +53,7 @@ private:
         std::vector<TriangleBox> atEdges;
         std::vector<std::uint32_t> count;  // Per list: first how many, then where the next goes.
     };
-    /// Clips triangles that need it. `margin`: as pixelsOver() has it.
+    /// Clips triangles that need it. `margin`: so many sub-pixels beside a pixel's centre a piece still counts.
     void clipUnsafe(int margin);
     /// Sorts the triangles of boxesOf(chunk) of each chunk into the tiles' lists, and the clipped pieces.
     template <class BoxesOf>

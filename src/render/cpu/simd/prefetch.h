@@ -40,7 +40,7 @@ AEOLIC_PREFETCH void prefetchToWrite(const Image<T>& image, std::ptrdiff_t at, s
 template <class T>
 AEOLIC_PREFETCH void prefetchRowToWrite(const Image<T>& image, int x0, int x1, int y)
 {
-    prefetchBytes<1>(image.row(y) + x0, std::size_t(x1 - x0) * sizeof(T));
+    prefetchBytes<1>(image.row(y) + x0, std::size_t(std::max(x1 - x0, 0)) * sizeof(T));
 }
 
 }  // namespace aeolic::cpu

@@ -1,11 +1,14 @@
 #include "render/gl/device/stage_timers.h"
 
+#include <iterator>
+
 namespace aeolic::gl {
 namespace {
 
-/// [Stage]
+/// Which member of DeviceTimes counts a stage, by the stage's number.
 constexpr double DeviceTimes::*kTimeOf[] = {&DeviceTimes::projectMs, &DeviceTimes::convolveMs, &DeviceTimes::shadeMs,
                                             &DeviceTimes::readBackMs};
+static_assert(std::size(kTimeOf) == std::size_t(Stage::readBack) + 1);
 
 Query makeQuery()
 {

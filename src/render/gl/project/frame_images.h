@@ -29,7 +29,7 @@ struct FrameImages {
     Texture colors;                   ///< GBuffer::colors
     Texture openFlow, wholeFlow;      ///< flow_cells.comp
     Texture lic;                      ///< Where there is flow.
-    Texture words;                    ///< along_flow.h, where there is flow.
+    Texture words;                    ///< A pixel's value and links in one (along_flow.h), where there is flow.
     Texture places, metas, weighted;  ///< jumps.glsl, a layer a level and direction.
 
 private:

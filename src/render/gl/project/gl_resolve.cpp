@@ -111,7 +111,7 @@ FieldRows BrickPixels::rows(const FrameImages& images, bool withScalar, bool mix
     withScalar_ = withScalar;
     const auto clear = [&](auto& image, auto value) {
         image.resize(valid);
-        for (int y = valid.y0; y < valid.y1; ++y) std::fill_n(&image.at(valid.x0, y), valid.width(), value);
+        image.fill(valid, value);
     };
     clear(flow_, 0u);
     if (withScalar) clear(scalar_, std::numeric_limits<float>::quiet_NaN());

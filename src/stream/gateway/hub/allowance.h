@@ -5,6 +5,10 @@
 
 namespace aeolic::stream {
 
+/// How many messages a viewer may send: 120 views a second, as many acknowledgements, and some more. A network may hold
+/// messages up for two seconds and let them go together.
+inline constexpr double kMessagesAtOnce = 600, kMessagesPerSecond = 300;
+
 /// So many at once, and after that so many a second.
 class Allowance {
 public:
@@ -12,7 +16,7 @@ public:
 
     Allowance(double atOnce, double perSecond) : atOnce_(atOnce), perSecond_(perSecond), left_(atOnce) {}
 
-    /// Takes one. False where none is left.
+    /// Takes one of those that are allowed. False where none is left.
     bool take(Time now)
     {
         const double seconds = std::max(0.0, std::chrono::duration<double>(now - last_).count());

@@ -7,11 +7,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kBurst = 600;  // As a viewer's messages have it.
-
 TEST(Allowance, LetsAPageThatIsDraggedThrough)
 {
-    Allowance rate(kBurst, 300);
+    Allowance rate(kMessagesAtOnce, kMessagesPerSecond);
     auto now = std::chrono::steady_clock::now();
     for (int i = 0; i < 240 * 600; ++i) {  // Ten minutes of 120 views a second, each shown.
         now += std::chrono::microseconds(1'000'000 / 240);
@@ -21,14 +19,14 @@ TEST(Allowance, LetsAPageThatIsDraggedThrough)
 
 TEST(Allowance, LetsWhatANetworkHeldUpThroughAtOnce)
 {
-    Allowance rate(kBurst, 300);
+    Allowance rate(kMessagesAtOnce, kMessagesPerSecond);
     const auto now = std::chrono::steady_clock::now();
-    for (int i = 0; i < kBurst - 1; ++i) ASSERT_TRUE(rate.take(now)) << i;
+    for (int i = 0; i < int(kMessagesAtOnce) - 1; ++i) ASSERT_TRUE(rate.take(now)) << i;
 }
 
 TEST(Allowance, EndsAFlood)
 {
-    Allowance rate(kBurst, 300);
+    Allowance rate(kMessagesAtOnce, kMessagesPerSecond);
     auto now = std::chrono::steady_clock::now();
     int allowed = 0;
     while (rate.take(now) && allowed < 100000) {
@@ -41,11 +39,11 @@ TEST(Allowance, EndsAFlood)
 
 TEST(Allowance, SilenceSavesUpNoMoreThanTheBurst)
 {
-    Allowance rate(kBurst, 300);
+    Allowance rate(kMessagesAtOnce, kMessagesPerSecond);
     const auto now = std::chrono::steady_clock::now() + 24h;
     int allowed = 0;
     while (rate.take(now) && allowed < 100000) ++allowed;
-    EXPECT_EQ(allowed, kBurst);
+    EXPECT_EQ(allowed, int(kMessagesAtOnce));
 }
 
 }  // namespace

@@ -202,7 +202,7 @@ private:
     void answer(Viewer& viewer, std::uint32_t change);
     void refuseNewest(Viewer& viewer, std::uint32_t change, const std::string& message);
     void refuse(Viewer& viewer, std::uint32_t change, const std::string& message);
-    void refuseWaiting(const std::string& message, bool ofOtherPlacesOnly);
+    void refuseWaiting(const std::string& message, const std::function<bool(const ChangeRequest&)>& which);
     bool sceneMoves() const;
     void restIfDue();
 

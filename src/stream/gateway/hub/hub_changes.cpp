@@ -173,12 +173,11 @@ void Hub::refuse(Viewer& viewer, std::uint32_t change, const std::string& messag
     answer(viewer, change);
 }
 
-/// Refuses the changes that wait, or only those that count surfaces as they were before one was taken away: these may
-/// mean another surface now, or none.
-void Hub::refuseWaiting(const std::string& message, bool ofOtherPlacesOnly)
+/// Refuses those of the changes that wait for which `which` is true.
+void Hub::refuseWaiting(const std::string& message, const std::function<bool(const ChangeRequest&)>& which)
 {
     for (auto& [id, viewer] : viewers_)
-        if (viewer.change && (!ofOtherPlacesOnly || isOfOtherPlaces(*viewer.change))) {
+        if (viewer.change && which(*viewer.change)) {
             const std::uint32_t number = viewer.change->number;
             viewer.change.reset();
             refuse(viewer, number, message);

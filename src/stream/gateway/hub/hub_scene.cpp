@@ -75,7 +75,8 @@ void Hub::onScene(ByteView payload)
     nameSurfaces(scene, options_.scene);
     setScene(scene);
     if (const auto asker = viewers_.find(changedBy_); asker != viewers_.end()) answer(asker->second, number);
-    if (takesAway) refuseWaiting(kOtherPlaces, true);
+    // Changes that count surfaces as they were before may mean another surface now, or none.
+    if (takesAway) refuseWaiting(kOtherPlaces, [this](const ChangeRequest& change) { return isOfOtherPlaces(change); });
     if (state_ != State::ready) setState(State::ready, "");
     drawAllAgain();
 }
@@ -273,7 +274,7 @@ void Hub::jobGivenUp(const std::string& message)
     loading_.reset();
     jobRuns_ = false;
     setState(State::failed, message);
-    refuseWaiting("the renderer is gone; the scene stays as it was", false);
+    refuseWaiting("the renderer is gone; the scene stays as it was", [](const ChangeRequest&) { return true; });
 }
 
 void Hub::jobCannotStart(const std::string& message)

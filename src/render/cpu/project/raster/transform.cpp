@@ -55,7 +55,7 @@ HWY_INLINE void markBits(hn::Mask<DI> chosen, std::size_t at, std::uint64_t* wor
     if (high != 0) words[at / kWord + 1] |= high;
 }
 
-// Where triangles that follow each other are on the image, a triangle a lane, as TriangleBox has it.
+// The members of TriangleBox for triangles that follow each other, a triangle a lane.
 struct Boxes {
     VI x0, y0, x1, y1, facing, beside;
 };
