@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "render/lic/lic_kernel.h"
 
 namespace aeolic::cpu {
 namespace {
@@ -63,7 +64,7 @@ TraceLanes::TraceLanes(const LicOptions& lic)
     : method_(lic.method),
       steps_(lic.steps),
       samplesPerStep_(samplesPerStep(lic.integrator)),
-      lanesPerJump_(2 * kBlockLanes + (lic.kernel == Kernel::hann ? 4 : 0))
+      lanesPerJump_(2 * kBlockLanes + (makeKernelModel(lic).weighted() ? 4 : 0))
 {
     if (method_ == LicMethod::hierarchical) plan_ = planJumps(lic.steps);
 }

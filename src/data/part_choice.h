@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "data/part_info.h"
-#include "description/surface_spec.h"
 
 namespace aeolic {
 

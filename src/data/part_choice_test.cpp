@@ -4,6 +4,7 @@
 
 #include "aeolic/error.h"
 #include "data/vtk/testing/sample_files.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "aeolic/error.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 namespace {

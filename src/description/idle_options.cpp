@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "description/overlays.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 namespace {

@@ -13,7 +13,7 @@
 #include "base/nearest_name.h"
 #include "description/builtin_names.h"
 #include "description/colormap.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 #include "description/validate.h"
 
 namespace aeolic {

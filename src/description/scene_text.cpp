@@ -13,7 +13,7 @@
 #include "aeolic/error.h"
 #include "base/nearest_name.h"
 #include "base/text.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 #include "description/validate.h"
 
 namespace aeolic {

@@ -1,4 +1,4 @@
-#include "description/surface_spec.h"
+#include "aeolic/surface_spec.h"
 
 #include <gtest/gtest.h>
 

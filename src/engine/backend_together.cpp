@@ -7,7 +7,7 @@
 #include "cluster/comm/hosts.h"
 #include "cluster/comm/together.h"
 #include "data/load/scene_sizes.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 namespace {

@@ -11,7 +11,7 @@
 #include "data/streamlines/separation_lines.h"
 #include "data/topology/point_flow.h"
 #include "data/topology/surface_topology.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 #include "engine/place_values.h"
 #include "render/overlay/streamline_strokes.h"
 

@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "description/colormap.h"
 #include "description/scene_json.h"
-#include "description/surface_spec.h"
 #include "description/validate.h"
 #include "render/lic/lic_kernel.h"
 #include "render/lic/phase_mix.h"

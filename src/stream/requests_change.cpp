@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "description/option_table.h"
 #include "description/scene_json.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 #include "description/validate.h"
 #include "stream/requests.h"
 

@@ -4,7 +4,7 @@
 
 #include "aeolic/error.h"
 #include "description/scene_json.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic::stream {
 namespace {

@@ -7,7 +7,7 @@
 #include "aeolic/error.h"
 #include "data/mesh/join_meshes.h"
 #include "data/mesh/mesh_tools.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 namespace {

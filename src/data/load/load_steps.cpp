@@ -11,6 +11,7 @@
 #include "data/named_file.h"
 #include "data/reading/file_questions.h"
 #include "data/vtk/grid/grid_file.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "aeolic/data.h"
 #include "aeolic/scene_description.h"
+#include "aeolic/surface_spec.h"
 #include "data/bricks.h"
 #include "data/load/agreement.h"
 #include "data/load/field/field_step.h"
@@ -14,7 +15,6 @@
 #include "data/loaded_surface.h"
 #include "data/progress.h"
 #include "description/color_by.h"
-#include "description/surface_spec.h"
 #include "description/vectors_text.h"
 
 namespace aeolic {

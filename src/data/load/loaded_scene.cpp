@@ -11,6 +11,7 @@
 #include "data/load/ask_once.h"
 #include "data/load/join_scenes.h"
 #include "data/load/loaded_scene_state.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 namespace {

@@ -12,6 +12,7 @@
 #include "data/reading/file_questions.h"
 #include "data/vtk/grid/grid_outline.h"
 #include "description/color_by.h"
+#include "description/scene_surfaces.h"
 #include "description/vectors_text.h"
 
 namespace aeolic {

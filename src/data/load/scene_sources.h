@@ -9,7 +9,7 @@
 #include "base/start_folder.h"
 #include "data/load/series/time_series.h"
 #include "data/part_choice.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 

@@ -3,7 +3,7 @@
 #include "aeolic/error.h"
 #include "data/load/memory_model.h"
 #include "data/load/scene_sizes.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 

@@ -12,6 +12,7 @@
 #include "data/named_file.h"
 #include "data/surface_range.h"
 #include "data/vtk/surface/isosurface.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 namespace {

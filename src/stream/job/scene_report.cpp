@@ -18,7 +18,7 @@
 #include "description/color_by.h"
 #include "description/colormap.h"
 #include "description/scene_json.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 #include "description/vectors_text.h"
 #include "engine/renderer_internals.h"
 #include "engine/scene_view.h"

@@ -13,7 +13,7 @@
 #include "cluster/comm/together.h"
 #include "description/option_table.h"
 #include "description/scene_json.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 #include "engine/renderer_internals.h"
 #include "stream/job/job_frames.h"
 #include "stream/job/scene_report.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "aeolic/data.h"
+#include "aeolic/surface_spec.h"
 #include "data/cells/cell_volume.h"
 #include "data/cells/point_means.h"
 #include "data/field_facts.h"
@@ -15,7 +16,6 @@
 #include "data/vector_field.h"
 #include "data/vtk/grid/grid_outline.h"
 #include "data/vtk/surface/cut_outline.h"
-#include "description/surface_spec.h"
 
 namespace aeolic {
 
@@ -83,7 +83,7 @@ public:
     /// The scalar to colour by, unless there is none or it is a part of the vectors. To be called once.
     std::optional<GridField> takeScalar();
 
-    const FieldFacts& facts() const;            ///< Without tallies.
+    const FieldFacts& facts() const;            ///< Its list of tallies is empty.
     const std::vector<Tally>& tallies() const;  ///< Counts so far; a brick counts its own samples.
 
 private:

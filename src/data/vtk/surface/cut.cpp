@@ -25,6 +25,7 @@
 #include "data/vtk/surface/isosurface.h"
 #include "data/vtk/surface/near_origin.h"
 #include "data/vtk/surface/outer_surface.h"
+#include "description/scene_surfaces.h"
 
 namespace aeolic {
 

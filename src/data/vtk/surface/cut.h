@@ -7,8 +7,8 @@
 
 #include <string>
 
+#include "aeolic/surface_spec.h"
 #include "data/vtk/surface/cut_outline.h"
-#include "description/surface_spec.h"
 
 namespace aeolic {
 

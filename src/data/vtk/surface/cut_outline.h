@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "aeolic/surface_spec.h"
 #include "base/bounds.h"
-#include "description/surface_spec.h"
 
 namespace aeolic {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 
+#include "aeolic/surface_spec.h"
 #include "data/mesh/surface_mesh.h"
 #include "data/vector_field.h"
-#include "description/surface_spec.h"
 
 namespace aeolic {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/gl/device/raster.h"
+#include "render/gl/device/draw_visibility.h"
 
 namespace aeolic::gl {
 

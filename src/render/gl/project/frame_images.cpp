@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/image.h"
+#include "render/gl/device/draw_visibility.h"
 #include "render/gl/device/gl_limits.h"
-#include "render/gl/device/raster.h"
 
 namespace aeolic::gl {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "render/gl/device/dispatch.h"
+#include "render/gl/device/draw_visibility.h"
 #include "render/gl/device/gl_blocks.h"
-#include "render/gl/device/raster.h"
 
 namespace aeolic::gl {
 

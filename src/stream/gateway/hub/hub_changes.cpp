@@ -5,7 +5,7 @@
 
 #include "aeolic/error.h"
 #include "description/scene_json.h"
-#include "description/surface_spec.h"
+#include "description/scene_surfaces.h"
 #include "stream/gateway/hub/hub.h"
 
 /// Changes of the scene that all viewers share. A change that waits stays with its viewer, one of each viewer, so

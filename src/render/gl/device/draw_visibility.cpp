@@ -1,4 +1,4 @@
-#include "render/gl/device/raster.h"
+#include "render/gl/device/draw_visibility.h"
 
 #include <stdexcept>
 

@@ -1,9 +1,10 @@
+#include "data/cells/near_surface.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "base/byte_message.h"
 #include "data/cells/testing/volume_testing.h"
 #include "data/cells/volume_message.h"
 
@@ -154,38 +155,6 @@ TEST(VolumeShells, AnEmptyOneFindsNothing)
     CellPlace place;
     EXPECT_FALSE(sampler.find({0.5, 0.5, 0.5}, glm::dvec3(0), place));
     EXPECT_EQ(sampler.meanDistanceOfCenters({0.5, 0.5, 0.5}, {0, 0, 1}), 0);
-}
-
-TEST(ByteMessages, WhatIsWrittenIsRead)
-{
-    ByteWriter writer;
-    writer.add(7);
-    writer.add(std::vector<double>{1.5, -2});
-    writer.add(std::string("größer"));
-    writer.add(std::vector<std::string>{"", "b"});
-    writer.add(std::vector<float>{});
-    const Bytes bytes = writer.take();
-    ByteReader reader(bytes);
-    int number = 0;
-    std::vector<double> values;
-    std::string text;
-    std::vector<std::string> texts;
-    std::vector<float> none{1};
-    reader.read(number);
-    reader.read(values);
-    reader.read(text);
-    reader.read(texts);
-    reader.read(none);
-    EXPECT_EQ(number, 7);
-    EXPECT_EQ(values, (std::vector<double>{1.5, -2}));
-    EXPECT_EQ(text, "größer");
-    EXPECT_EQ(texts, (std::vector<std::string>{"", "b"}));
-    EXPECT_TRUE(none.empty() && reader.atEnd());
-    ByteWriter huge;
-    huge.add(~std::uint64_t{0});
-    const Bytes wrong = huge.take();
-    ByteReader refuses(wrong);
-    EXPECT_THROW(refuses.read(values), std::runtime_error) << "a count that cannot be";
 }
 
 }  // namespace
