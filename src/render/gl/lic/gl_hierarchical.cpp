@@ -56,7 +56,9 @@ void HierarchicalConvolution::prepare(const ConvolvePass& pass, const LicOptions
     block_.write(0, sizeof block, &block);
     bindUniforms(kJumpBinding, block_);
     if (!kernel.weighted()) return;
-    const std::vector<Turn> turns = turnsOf(kernel, 1);
+    const std::vector<Turn> down = turnsOf(kernel, 1), up = turnsOf(kernel, -1);
+    std::vector<Turn> turns;  // Both of each number of steps.
+    for (std::size_t i = 0; i < down.size(); ++i) turns.insert(turns.end(), {down[i], up[i]});
     const std::size_t bytes = turns.size() * sizeof turns[0];
     turns_.reserve(bytes).write(0, bytes, turns.data());
     bindStorage(0, turns_.get());

@@ -6,7 +6,7 @@ layout(binding = 4) uniform usampler2DArray places;
 layout(binding = 5) uniform usampler2DArray metas;
 #if WEIGHTED
 layout(binding = 6) uniform usampler2DArray weightedSums;
-layout(std430, binding = 0) readonly buffer Turns { vec4 turns[]; };  // Turn of i steps downstream: aa, ab, ba, bb.
+layout(std430, binding = 0) readonly buffer Turns { vec4 turns[]; };  // Turns of i steps, downstream and upstream: aa, ab, ba, bb.
 #endif
 
 layout(std140, binding = 3) uniform JumpBlock {
@@ -48,11 +48,7 @@ uint halves(float low, float high)
 }
 
 #if WEIGHTED
-vec4 turnOf(int direction, int steps)
-{
-    vec4 by = turns[steps];
-    return direction == 1 ? vec4(by.x, -by.y, -by.z, by.w) : by;
-}
+vec4 turnOf(int direction, int steps) { return turns[2 * steps + direction]; }
 
 // Weighted sums count from the jump's own start: turned by the steps walked before it.
 vec2 turned(vec2 sums, int direction, int stepsBefore)

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "description/choices.h"
 #include "stream/gateway/hub/viewer.h"
 
 namespace aeolic::stream {
@@ -217,8 +218,8 @@ private:
     std::shared_ptr<std::uint64_t> frameBytes_ = std::make_shared<std::uint64_t>(0);
     std::size_t framesInFlight_ = 1;  ///< How many the job draws at once.
     SteadyClock::time_point lastSent_{};
-    double timeGiven_ = 0;                              ///< What the viewer drawn last had before, in milliseconds.
-    std::array<double, 3> samplesPerMs_{};              ///< By LicMethod; 0: not known.
+    double timeGiven_ = 0;  ///< What the viewer drawn last had before, in milliseconds.
+    std::array<double, choiceNames<LicMethod>.size()> samplesPerMs_{};  ///< By LicMethod; 0: not known.
     SceneDescription scene_;                            ///< The scene that is loaded, or the one to go back to.
     std::uint32_t places_ = 0;                          ///< How many times surfaces were taken away.
     std::optional<Load> loading_;                       ///< The job loads it now. One is on its way at a time.
