@@ -7,6 +7,7 @@ command. The same seed gives the same files. --files is the number for every for
 Ctrl-C ends it early, with the counts so far. It is fastest with FOLDER in memory (/dev/shm), and under `ulimit -v 2500000`:
 a file that lies about its size then fails sooner."""
 import argparse
+import collections
 import gzip
 import os
 import random
@@ -238,20 +239,21 @@ class Worker(threading.Thread):
             with open(path, "wb") as file:
                 file.write(data)
             words = command(os.path.join(self.folder, name), name, os.path.join(self.folder, "o.png"), rng)
-            verdict, status = self.verdict_on(words)
-            self.report(name, number, target, words, verdict, status, path)
+            verdict, status, end = self.verdict_on(words)
+            self.report(name, number, target, words, verdict, status, end, path)
             shutil.copyfile(os.path.join(self.options.folder, "seeds", target), path)
         self.process.stdin.close()
         self.process.wait()
 
     def verdict_on(self, words):
-        """What is wrong, or nothing, and the exit status. What is wrong is tried again by a process that has done nothing else."""
+        """What is wrong, or nothing, the exit status, and how the reader ended, if it did. What is wrong is tried again
+        by a process that has done nothing else."""
         answer = self.ask("\t".join(words))
         verdict = judge(answer, self.options.most_mib)
         if verdict and len(answer) == 6 and answer[4] != "0":
             alone = judge(self.ask("new\n" + "\t".join(words)), self.options.most_mib)
             verdict = alone or "%s, but only after %s other files in the same process" % (verdict, answer[4])
-        return verdict, answer[1] if len(answer) > 1 else ""
+        return verdict, answer[1] if len(answer) > 1 else "", end_of_reader(answer[-1])
 
     def ask(self, line):
         self.process.stdin.write(line + "\n")
@@ -270,7 +272,7 @@ class Worker(threading.Thread):
 class Tally:
     def __init__(self, options):
         self.options, self.lock = options, threading.Lock()
-        self.counts, self.bad = {}, []
+        self.counts, self.bad, self.ends = {}, [], collections.Counter()
         self.found = os.path.join(options.folder, "found")
         os.makedirs(self.found, exist_ok=True)
 
@@ -278,8 +280,10 @@ class Tally:
         with self.lock:
             return min((sum(counts.values()) for counts in self.counts.values()), default=0)
 
-    def __call__(self, name, number, target, words, verdict, status, path):
+    def __call__(self, name, number, target, words, verdict, status, end, path):
         with self.lock:
+            if end:
+                self.ends[ending(name) + " " + end] += 1
             counts = self.counts.setdefault(ending(name), {"read": 0, "refused": 0, "bad": 0})
             counts["bad" if verdict else "read" if status == "0" else "refused"] += 1
             if not verdict:
@@ -292,6 +296,12 @@ class Tally:
             if os.path.exists(os.path.join(os.path.dirname(path), "said")):
                 with open(os.path.join(os.path.dirname(path), "said"), errors="replace") as said:
                     file.write(said.read(20000))
+
+
+def end_of_reader(line):
+    """"SIGSEGV" where a reader ended by it, "no progress" where it was ended; nothing where it lives."""
+    found = re.search(r"the reader (?:ended \(([^)]*)\)|made (no progress))", line)
+    return found and (found.group(1) or found.group(2))
 
 
 def judge(answer, most_mib):
@@ -368,6 +378,8 @@ def main():
     for kind, counts in sorted(tally.counts.items()):
         print("%-12s %6d files: %6d read, %6d refused, %d bad" % (kind, sum(counts.values()), counts["read"], counts["refused"],
                                                                   counts["bad"]))
+    ends = ", ".join("%s %d times" % each for each in tally.ends.most_common())
+    print("readers that ended, which is no fault: %s" % (ends or "none"))
     for verdict, label in sorted(tally.bad)[:60]:
         print("%s: %s" % (label, verdict))
     return 1 if tally.bad else 0
