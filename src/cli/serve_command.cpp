@@ -211,7 +211,7 @@ void ServeCommand::run() const
     std::optional<AddressFile> file;
     stream::ServeOptions options = serveOptions();
     options.ready = [&](const std::string& address) { announce(address, file); };
-    stream::serve(std::move(options));
+    stream::serve(options);
 }
 
 }  // namespace

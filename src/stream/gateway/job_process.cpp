@@ -131,12 +131,12 @@ JobProcess::~JobProcess()
     signal(SIGKILL);
     passOn();
     ::close(output_);
-    if (!ended_ && waitpid(pid_, nullptr, WNOHANG) == 0) leftBehind_.push_back(pid_);
+    if (!ended_ && waitpid(pid_, nullptr, WNOHANG) == 0) leftBehind.push_back(pid_);
 }
 
 void JobProcess::reapLeftBehind()
 {
-    std::erase_if(leftBehind_, [](pid_t pid) { return waitpid(pid, nullptr, WNOHANG) != 0; });
+    std::erase_if(leftBehind, [](pid_t pid) { return waitpid(pid, nullptr, WNOHANG) != 0; });
 }
 
 std::optional<std::string> JobProcess::ended()

@@ -41,7 +41,7 @@ public:
 private:
     void passOn();
 
-    inline static std::vector<pid_t> leftBehind_;  ///< Killed, and not reaped yet.
+    inline static std::vector<pid_t> leftBehind;  ///< Killed, and not reaped yet.
     pid_t pid_ = -1;
     int output_ = -1;  ///< The end of the pipe that is read.
     std::string written_;

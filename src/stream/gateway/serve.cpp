@@ -87,7 +87,7 @@ std::string addressText(std::string host, std::uint16_t port, bool secure, const
            (token.empty() ? "" : "?token=" + token);
 }
 
-void serve(ServeOptions options)
+void serve(const ServeOptions& options)
 {
     keepTilesOutOfTheHeap();
     requireShort(options.hub.scene);

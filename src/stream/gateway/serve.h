@@ -25,7 +25,7 @@ struct ServeOptions {
 /// Serves until SIGINT or SIGTERM. Throws InputError for what the user can put right: an address in use, a certificate,
 /// a launcher, a scene that cannot be loaded. Uses no MPI and starts no threads of its own: the render job is another
 /// process.
-void serve(ServeOptions options);
+void serve(const ServeOptions& options);
 
 /// The answer to `GET /status`: the hub's state, and the processes of the ranks.
 std::string statusJson(const Hub& hub, const std::vector<int>& pids);
